@@ -8,7 +8,8 @@
 #              the record is target/soak.md
 # make memory  attack the service in a memory group, or measure its memory where there is none: 2 GiB with workers, 512 MiB
 #              without; SECONDS=60; the record is target/memory.md
-# make check   formatting, lints, documentation, unused dependencies, licenses and sources of dependencies (deny.toml)
+# make check   words (scripts/words.txt), formatting, lints, documentation, unused dependencies, licenses and sources of dependencies
+#              (deny.toml)
 # make sbom    software bill of materials of the program, target/homolog.cdx.json (CycloneDX)
 # make advisories  known vulnerabilities of dependencies; needs the internet
 # make contract  test a running service on each store against its OpenAPI document with schemathesis; EXAMPLES=50: requests for
@@ -32,7 +33,7 @@
 #              SimpleITK, pynrrd, trimesh and highdicom; writes docs/formats-read.md; ROUNDS=6: mutations of each kind
 # make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
-# make methods  the methods of the field (docs/methods) beside other programs of the same methods; DATA, EVAL as for make accuracy;
+# make methods  published methods (docs/methods) beside other programs of the same methods; DATA, EVAL as for make accuracy;
 #             CASES=set:index,... pairs other than the default ones
 # make study   measure studies of real hippocampi: models, simulated atrophy, splits without an effect, time, memory; DATA=dir: label
 #              volumes in dir/hippocampus; PARTS=time,null: some of them; SPLITS=200: splits without an effect
@@ -94,6 +95,7 @@ memory: build
 
 check:
 	@scripts/setup check
+	scripts/words
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items

@@ -1,4 +1,4 @@
-"""The methods of the field beside other programs of the same methods, on the same pairs from the same pose.
+"""Published methods here and in other programs of the same methods, on the same pairs from the same pose.
 
 Usage: methods.py --binary homolog --data DIR --eval DIR --out DIR [--cases variant:index,...] [--only name,...]
 DIR/hippocampus has label volumes (*.nii.gz); --eval has real_cases.py, which makes pairs with a known truth. The pose is that of

@@ -27,7 +27,7 @@ pub(crate) async fn latencies(scale: Scale) {
     );
     println!("made by SQL; the planner's statistics are up to date.\n");
     println!(
-        "| store | jobs | first page | second | 10 failed | 10 labelled | most labelled | labelled and failed | job | position in queue | submit | claim | finish |"
+        "| store | jobs | first page | second | 10 failed | 10 labeled | most labeled | labeled and failed | job | position in queue | submit | claim | finish |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for place in Place::all() {
@@ -48,7 +48,7 @@ pub(crate) async fn latencies(scale: Scale) {
     }
 }
 
-/// Adds jobs up to number `to`; the failed and specially labelled ones are among the first hundred, that is, the oldest.
+/// Adds jobs up to number `to`; the failed and specially labeled ones are among the first hundred, that is, the oldest.
 async fn fill(database: &Database, from: u64, to: u64) {
     let (id, series, analyze) = match database {
         Database::Postgres(_) => (
@@ -88,12 +88,12 @@ async fn fill(database: &Database, from: u64, to: u64) {
 
 async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
     let tenant = Tenant::default();
-    let labelled = |value: &str| JobFilter {
+    let labeled = |value: &str| JobFilter {
         labels: vec![("study".to_owned(), value.to_owned())].into_iter().collect(),
         ..JobFilter::default()
     };
     let failed = JobFilter { states: vec![JobState::Failed], ..JobFilter::default() };
-    let failed_and_labelled = JobFilter { states: vec![JobState::Failed], ..labelled("all") };
+    let failed_and_labeled = JobFilter { states: vec![JobState::Failed], ..labeled("all") };
     let page = PageRequest { size: 50, after: None, order: Order::NewestFirst };
     let next = store.list_jobs(&tenant, &JobFilter::default(), &page).await.unwrap().next;
     let second = PageRequest { after: next, ..page.clone() };
@@ -102,9 +102,9 @@ async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
         (JobFilter::default(), &page, 50),
         (JobFilter::default(), &second, 50),
         (failed, &page, 10),
-        (labelled("few"), &page, 10),
-        (labelled("all"), &page, 50),
-        (failed_and_labelled, &page, 10),
+        (labeled("few"), &page, 10),
+        (labeled("all"), &page, 50),
+        (failed_and_labeled, &page, 10),
     ] {
         let mut taken = Vec::new();
         let began = Instant::now();

@@ -51,7 +51,7 @@ export const REASONS: Record<string, { meaning: string; check: string }> = {
   },
   units_differ: {
     meaning: "The sizes differ by the ratio of two units of length.",
-    check: "Are both files in millimetres? Scale one of them, or state its unit in the file.",
+    check: "Are both files in millimeters? Scale one of them, or state its unit in the file.",
   },
   ambiguous_pose: {
     meaning: "A different pose fits as well.",

@@ -91,7 +91,7 @@ export function Operations() {
           {tone === "good" ? "✓" : tone === "bad" ? "✕" : "…"}
         </span>
         <div>
-          <p class="title">{tone === "good" ? "The queue is well" : isStuck ? "Nothing runs" : tone === "wait" ? "Jobs wait long" : "A dependency fails"}</p>
+          <p class="title">{tone === "good" ? "The queue is healthy" : isStuck ? "Nothing runs" : tone === "wait" ? "Jobs wait long" : "A dependency fails"}</p>
           <p>
             {number(last.queued)} queued, {number(last.running)} running{last.queued > 0 && `; the oldest has waited ${duration(oldest * 1000)}`}.
           </p>

@@ -37,7 +37,7 @@ async fn interrupted() -> bool {
     match signal(SignalKind::terminate()) {
         Ok(mut terminate) => tokio::select! {
             pressed = tokio::signal::ctrl_c() => pressed.is_ok(),
-            signalled = terminate.recv() => signalled.is_some(),
+            signaled = terminate.recv() => signaled.is_some(),
         },
         Err(_) => tokio::signal::ctrl_c().await.is_ok(),
     }

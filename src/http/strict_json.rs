@@ -338,7 +338,7 @@ mod tests {
             (r#"{"parameters": {}"#, "MalformedJson"),
             (r#"[{}]"#, "JSON object"),
             (r#""x""#, "InvalidRequest"),
-            (r#"{"colour": 1}"#, "colour"),
+            (r#"{"color": 1}"#, "color"),
         ] {
             let refused = format!("{:?}", parameters(text, 1000).unwrap_err());
             assert!(refused.contains(part), "{text}: {refused}");

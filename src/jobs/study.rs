@@ -56,7 +56,8 @@ pub enum StudyState {
     /// Its template is being made, or matched to its subjects.
     Matching,
     /// Its model, statistics and report are being computed.
-    Modelling,
+    #[serde(rename = "modelling")]
+    Modeling,
     /// It has a result.
     Finished,
     /// It ended without a result; `error` says why.
@@ -70,7 +71,7 @@ impl StudyState {
     pub const ALL: [StudyState; 6] = [
         StudyState::Queued,
         StudyState::Matching,
-        StudyState::Modelling,
+        StudyState::Modeling,
         StudyState::Finished,
         StudyState::Failed,
         StudyState::Cancelled,
@@ -81,7 +82,7 @@ impl StudyState {
         match self {
             StudyState::Queued => "queued",
             StudyState::Matching => "matching",
-            StudyState::Modelling => "modelling",
+            StudyState::Modeling => "modelling",
             StudyState::Finished => "finished",
             StudyState::Failed => "failed",
             StudyState::Cancelled => "cancelled",

@@ -95,7 +95,7 @@ impl StudyProgression {
             return if study.n_active > 0 { Ok(None) } else { self.begin_step(study, study.state).await.map(Some) };
         };
         if n_tasks > 0 && n_made >= n_tasks {
-            let state = if round == 0 { StudyState::Modelling } else { StudyState::Matching };
+            let state = if round == 0 { StudyState::Modeling } else { StudyState::Matching };
             return if study.n_active > 0 { Ok(None) } else { self.begin_step(study, state).await.map(Some) };
         }
         match self.studies.study_step(step).await? {

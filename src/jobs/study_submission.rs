@@ -396,7 +396,7 @@ impl JobService {
                     }
                 }
             }
-            Ok((definition.decisions != before).then_some(StudyState::Modelling))
+            Ok((definition.decisions != before).then_some(StudyState::Modeling))
         })
         .await
     }

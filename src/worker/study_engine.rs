@@ -385,7 +385,7 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
             if watcher.is_interrupted() {
                 return Err(StudyError::Interrupted);
             }
-            modelled(folder)
+            modeled(folder)
         }
     }
 }
@@ -438,7 +438,7 @@ fn json(value: &impl Serialize) -> Result<Vec<u8>, StudyError> {
 }
 
 /// The products of a folder that is finished.
-fn modelled(folder: Folder) -> Result<Vec<Product>, StudyError> {
+fn modeled(folder: Folder) -> Result<Vec<Product>, StudyError> {
     let files: Vec<(String, Vec<u8>)> = folder.into_files().into_iter().collect();
     let archive = write_zip(&files).map_err(|source| StudyError::File {
         what: "write",

@@ -85,7 +85,7 @@ def of_glb(path):
     for node in scene.graph.nodes_geometry:
         transform, name = scene.graph[node]
         mesh = scene.geometry[name]
-        # Metres, y up.
+        # Meters, y up.
         x, y, z = (mesh.vertices @ transform[:3, :3].T + transform[:3, 3]).T * 1000
         surface = Surface(np.stack([x, -z, y], axis=1), mesh.faces, {})
         # Beside a material, trimesh keeps colors as an attribute.

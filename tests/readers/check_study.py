@@ -1,4 +1,4 @@
-"""Opens what `homolog study` wrote with the programs of the field, and compares the files with each other.
+"""Opens what `homolog study` wrote with other programs, and compares the files with each other.
 
 Usage: check_study.py FOLDER"""
 import csv

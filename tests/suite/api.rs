@@ -297,7 +297,7 @@ async fn faults_in_a_submission_name_their_field() {
         ("priority", "high", "/priority"),
         ("labels", "[1]", "/labels"),
         ("labels", "{\"a\": 1}", "/labels"),
-        ("colour", "red", "/colour"),
+        ("color", "red", "/color"),
     ] {
         let body = problem(service.send(both().text(name, value)).await, 422, "invalid-request").await;
         assert_eq!(body["errors"][0]["pointer"], pointer);
@@ -362,9 +362,9 @@ async fn each_limit_has_its_own_problem() {
     let body = problem(service.send(form(&large, "b", &json!({}))).await, 413, "too-large").await;
     assert_eq!((&body["input"], &body["limit_bytes"]), (&json!("source"), &json!(1000)));
     let huge = "x".repeat(5 << 20);
-    let response = service.send(Form::new().text("labels", huge.clone()).text("colour", huge)).await;
+    let response = service.send(Form::new().text("labels", huge.clone()).text("color", huge)).await;
     problem(response, 413, "too-large").await;
-    let many = (0..6).fold(Form::new(), |form, _| form.text("colour", "x".repeat(1 << 20)));
+    let many = (0..6).fold(Form::new(), |form, _| form.text("color", "x".repeat(1 << 20)));
     problem(service.send(many).await, 413, "body-too-large").await;
     service.submit(json!({})).await;
     service.submit(json!({})).await;

@@ -37,7 +37,7 @@ fn pair(folder: &Path) -> [String; 2] {
 }
 
 #[test]
-fn misspelt_commands_methods_and_keys_are_answered_with_what_was_meant() {
+fn misspelled_commands_methods_and_keys_are_answered_with_what_was_meant() {
     for (arguments, meant) in [
         (&["mach", "a", "b"][..], "'match'"),
         (&["completion", "bash"], "'completions'"),

@@ -65,7 +65,7 @@ fn counts_units_and_transforms_that_were_not_taken_as_stated_are_said_everywhere
     check_said("count_half.stl", "reference.ply", "the header states 244 facets", None);
     check_said("count_zero.stl", "reference.ply", "the header states 0 facets", None);
     check_said("talairach.surf.gii", "reference.ply", "was not applied", None);
-    check_said("micrometres.nrrd.gz", "micrometres.nrrd.gz", "its unit of length is 0.001 mm", None);
+    check_said("micrometers.nrrd.gz", "micrometers.nrrd.gz", "its unit of length is 0.001 mm", None);
 }
 
 /// A label volume of an egg in a file of this name, with voxels of this many mm.

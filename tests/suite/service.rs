@@ -98,7 +98,7 @@ async fn jobs_refer_to_uploads_or_contain_small_files() {
         let refused = problem(post_json(&service, "/v1/jobs", &wrong).await, 422, "invalid-request").await;
         assert_eq!(refused["errors"][0]["pointer"], pointer, "{refused}");
     }
-    for wrong in [json!({"source": {"mesh_id": target}}), json!({"colour": 1}), json!([]), json!("x")] {
+    for wrong in [json!({"source": {"mesh_id": target}}), json!({"color": 1}), json!([]), json!("x")] {
         problem(post_json(&service, "/v1/jobs", &wrong).await, 422, "invalid-request").await;
     }
     let raw = service.client.post(format!("{}/v1/jobs", service.base)).header("content-type", "application/json");

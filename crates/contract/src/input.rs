@@ -1,4 +1,4 @@
-//! Reports on an input: its format, its topology, the repairs made, and whether it can be matched.
+//! Reports on an input: its format, its topology, its repairs, and its suitability for matching.
 
 use crate::parameters::Repair;
 use crate::result::UnreliableReason;
@@ -41,7 +41,7 @@ pub enum InputFormat {
 }
 
 impl InputFormat {
-    /// All formats, those of label volumes first.
+    /// All formats, label volumes first.
     pub const ALL: [InputFormat; 14] = [
         InputFormat::Nifti,
         InputFormat::Mgh,
@@ -113,7 +113,7 @@ pub enum InputSpace {
     FreesurferRas,
     /// Left, posterior, superior, as in DICOM and ITK; converted to RAS.
     Lps,
-    /// None, or one that is none of these.
+    /// Unstated, or another space.
     #[default]
     Unknown,
 }
@@ -272,7 +272,7 @@ pub enum InputKind {
 pub struct VolumeInspection {
     /// Voxels along each axis.
     pub dims: [u32; 3],
-    /// Distance between the centres of neighbouring voxels along each axis, mm.
+    /// Distance between the centers of neighboring voxels along each axis, mm.
     pub spacing_mm: [f64; 3],
     /// Number of different labels, without the background 0.
     pub n_labels: u32,

@@ -1,4 +1,4 @@
-//! The result document of a match, in the form in which the service and the command line print it.
+//! The result document of a match, in the form printed by the service and the command line.
 
 use super::parameters::MatchParameters;
 use crate::input::{InputReport, InputWarning};
@@ -15,16 +15,16 @@ pub struct ResultDocument {
     pub support: SupportDocument,
     /// Symmetric distance between the registered surfaces, from each vertex to the closest point of the other surface.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies of the labeling; absent where none was minimised (`inference.algorithm` is `none`, as by default).
+    /// Energies of the labeling; absent where none was minimized (`inference.algorithm` is `none`, as by default).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy: Option<EnergyDocument>,
-    /// How well the labeling keeps neighbours together, and how much of the target it covers.
+    /// How well the labeling keeps neighbors together, and how much of the target it covers.
     pub topology: ConsistencyDocument,
     /// How the map to the corresponding points deforms the source surface; absent if no source triangle has a counterpart on the
     /// target, and in results of version 0.1.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub deformation: Option<DeformationDocument>,
-    /// The rounds of inference, registration and feedback, in order; empty where no energy was minimised.
+    /// The rounds of inference, registration and feedback, in order; empty where no energy was minimized.
     #[cfg_attr(feature = "serde", serde(default))]
     pub rounds: Vec<RoundDocument>,
     /// Candidate poses that were compared, the best first; empty where there was only one.
@@ -104,7 +104,7 @@ pub struct RoundDocument {
     pub round: u32,
     /// Feedback that the energy received from an earlier registration.
     pub feedback: Feedback,
-    /// Iterations of belief propagation, or sweeps of a randomised minimiser.
+    /// Iterations of belief propagation, or sweeps of a randomized minimizer.
     pub iterations: u32,
     /// Why inference ended in this round.
     pub stop_reason: StopReason,
@@ -161,7 +161,7 @@ pub enum ConvergenceStatus {
     Slow,
     /// The same labelings recur periodically.
     Oscillating,
-    /// The minimiser draws at random and does not converge in this sense.
+    /// The minimizer draws at random and does not converge in this sense.
     Sampled,
 }
 
@@ -330,7 +330,7 @@ pub struct EnergyDocument {
     /// Number of labels of each variable: vertices of the target, or of its coarse level.
     #[cfg_attr(feature = "serde", serde(default))]
     pub n_labels: u32,
-    /// Energy of the labeling that minimises every unary potential by itself.
+    /// Energy of the labeling that minimizes every unary potential by itself.
     pub initial: f64,
     /// Energy of the answered labeling.
     pub r#final: f64,
@@ -345,7 +345,7 @@ pub struct EnergyDocument {
     /// No labeling has an energy below this; absent unless `inference.lower_bound_iterations` asked for a bound.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lower_bound: Option<f64>,
-    /// Number of source edges whose two labels are not within the neighbourhood radius; each costs the truncation.
+    /// Number of source edges whose two labels are not within the neighborhood radius; each costs the truncation.
     #[cfg_attr(feature = "serde", serde(default))]
     pub broken_edges: u32,
 }
@@ -355,7 +355,7 @@ pub struct EnergyDocument {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ConsistencyDocument {
-    /// Share of source edges whose two images lie within the neighbourhood radius of each other on the target.
+    /// Share of source edges whose two images lie within the neighborhood radius of each other on the target.
     pub consistency: f64,
     /// Share of target vertices that correspond to at least one source vertex.
     pub coverage: f64,
@@ -478,7 +478,7 @@ pub enum OutlierReason {
     None,
     /// After registration the two points are further apart than the tolerance.
     Residual,
-    /// The images of most of its neighbours are not near its own image.
+    /// The images of most of its neighbors are not near its own image.
     Neighborhood,
     /// Both.
     Both,
@@ -498,7 +498,7 @@ impl OutlierReason {
         }
     }
 
-    /// The number used where columns hold numbers: 0 none, 1 residual, 2 neighbourhood, 3 both, 4 no
+    /// The number used where columns hold numbers: 0 none, 1 residual, 2 neighborhood, 3 both, 4 no
     /// counterpart.
     pub fn code(self) -> u8 {
         self as u8
@@ -522,7 +522,7 @@ impl Correspondences {
         text
     }
 
-    /// These columns, with those that earlier versions did not write filled in. `None` if the lengths of the others differ.
+    /// These columns, with columns missing in earlier versions filled in. `None` if the lengths of the others differ.
     pub fn completed(mut self) -> Option<Self> {
         let n = self.source.len();
         if self.spread_mm.is_empty() {
@@ -553,7 +553,7 @@ pub enum StopReason {
     MaxIterations,
     /// The target energy was reached, which certifies the answer.
     TargetReached,
-    /// No energy of labels was minimised.
+    /// No energy of labels was minimized.
     RegistrationOnly,
 }
 

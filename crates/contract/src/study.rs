@@ -1,28 +1,28 @@
-//! The size of a study, from which those who plan it know its memory and its time.
+//! The size of a study, from which planners predict its memory and its time.
 
-/// How large a study is, as far as the memory and the time of its steps depend on it.
+/// Size of a study: the quantities that determine the memory and the time of its steps.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StudySize {
-    /// Subjects.
+    /// Number of subjects.
     pub subjects: u64,
-    /// Vertices of the template: of the given one, of the subject that it is made from, or of the largest.
+    /// Vertices of the template: of the given one, of the subject it is made from, or of the largest subject.
     pub vertices: u64,
     /// Faces of that surface.
     pub faces: u64,
-    /// Covariates of all subjects together.
+    /// Number of covariates of all subjects together.
     pub cells: u64,
-    /// Columns of the design, at most.
+    /// Largest possible number of columns of the design.
     pub columns: u64,
-    /// Contrasts, at most.
+    /// Largest possible number of contrasts.
     pub contrasts: u64,
-    /// Measures that were asked for; `None`: all.
+    /// Number of requested measures; `None` for all.
     pub measures: Option<u64>,
-    /// Permutations of each test; `None`: the default.
+    /// Number of permutations of each test; `None` for the default.
     pub permutations: Option<u64>,
-    /// Subjects among which consistency is measured.
+    /// Number of subjects used to measure consistency.
     pub ring: u64,
-    /// The largest file, bytes.
+    /// Size of the largest file, bytes.
     pub file_bytes: u64,
     /// Whether a file is a label volume.
     pub has_volumes: bool,

@@ -1,4 +1,4 @@
-//! Whether an answer can be relied on: in short, for lists of jobs, and in words, for people.
+//! Reliability of an answer: in short, for lists of jobs, and in words, for people.
 
 use crate::input::InputWarning;
 use crate::result::{
@@ -23,7 +23,7 @@ pub struct Verdict {
 }
 
 impl ResultDocument {
-    /// Whether this answer can be relied on: what was found by matching, and what was done to the inputs.
+    /// Whether this answer is reliable, given the findings of the match and the changes of the inputs.
     pub fn verdict(&self) -> Verdict {
         let found = self.reliability.as_ref();
         let mut reasons = found.map(|found| found.reasons.clone()).unwrap_or_default();
@@ -32,13 +32,14 @@ impl ResultDocument {
                 reasons.push(reason);
             }
         }
-        // A method that checks nothing finds nothing to doubt, but a reason is one whichever method matched.
+        // A method without checks finds no reason for doubt, but a warning counts for every method.
         let reliable = if reasons.is_empty() { found.map(|found| found.reliable) } else { Some(false) };
         let warnings = self.warnings.iter().map(|warning| warning.detail.clone()).collect();
         Verdict { reliable, reasons, warnings, surface_distance: self.surface_distance.clone() }
     }
 
-    /// Takes note of `warnings`: their reasons make the answer unreliable, and lower its confidences if it was reliable so far.
+    /// Records `warnings`: their reasons make the answer unreliable, and lower its confidences if it was reliable so
+    /// far.
     pub fn warn(&mut self, warnings: Vec<InputWarning>) {
         let reasons = warnings.iter().filter_map(|warning| warning.reason);
         if let Some(found) = &mut self.reliability {
@@ -77,7 +78,7 @@ impl DeformationDocument {
 }
 
 impl SimilarityDocument {
-    /// The scale and what the similarity leaves, in one line.
+    /// The scale and the remainder after the similarity, in one line.
     pub fn sentence(&self) -> String {
         format!("scale {:.4}, RMS {:.3} mm", self.scale, self.rms_mm)
     }
@@ -93,7 +94,7 @@ impl Verdict {
         }
     }
 
-    /// How far apart the surfaces are, in one sentence.
+    /// The distance between the surfaces, in one sentence.
     pub fn distance(&self) -> String {
         let SurfaceDistanceDocument { mean_mm, p95_mm, max_mm } = self.surface_distance;
         format!(
@@ -120,7 +121,7 @@ impl UnreliableReason {
         }
     }
 
-    /// What was found, in one sentence.
+    /// The finding, in one sentence.
     pub fn meaning(self) -> &'static str {
         match self {
             UnreliableReason::UnlikeShape => {
@@ -153,7 +154,7 @@ impl UnreliableReason {
         }
     }
 
-    /// What to check, in one sentence.
+    /// The recommended check, in one sentence.
     pub fn advice(self) -> &'static str {
         match self {
             UnreliableReason::UnlikeShape => "Do both files show the same structure, and is a part of one missing?",
@@ -172,7 +173,7 @@ impl UnreliableReason {
                 "Which orientation of the file is right? Write it into both places (sform and qform)."
             }
             UnreliableReason::UnitsDiffer => {
-                "Are both files in millimetres? Scale one of them, or state its unit in the file."
+                "Are both files in millimeters? Scale one of them, or state its unit in the file."
             }
             UnreliableReason::PieceDropped => {
                 "Are left and right one label, or several structures? Choose the labels of one (input.labels), or name the \

@@ -1,7 +1,7 @@
-//! Zip archives of DICOM instances, or of a single file: found, inflated under hard caps, and chosen.
+//! Zip archives of DICOM instances, or of a single file: entries are found, inflated under hard caps, and chosen.
 //!
-//! Source: PKWARE, APPNOTE.TXT 6.3.10. Read by hand because a library reserves memory for as many entries as an archive
-//! claims to have. Entries are stored or deflated; ZIP64 and encryption are refused by name.
+//! Source: PKWARE, APPNOTE.TXT 6.3.10. The parser is hand-written because libraries reserve memory for as many entries
+//! as an archive claims to have. Entries are stored or deflated; ZIP64 and encryption are refused by name.
 
 use super::budget::Budget;
 use super::dicom::is_dicom;
@@ -12,20 +12,20 @@ use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// Most files of an archive.
+/// Largest number of files in an archive.
 const MAX_FILES: u64 = 20_000;
 const END_BYTES: usize = 22;
 const ENTRY_BYTES: usize = 46;
 const LOCAL_BYTES: usize = 30;
 
-/// Whether these are the first bytes of an archive.
+/// Whether `bytes` begin like a zip archive.
 pub(super) fn is_zip(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
 }
 
-/// What an archive holds that can be read.
+/// Readable content of an archive.
 pub(super) enum Content<'a> {
-    /// Instances of DICOM segmentations, and how many other files there are.
+    /// Instances of DICOM segmentations, and the number of other files.
     Instances(Vec<Cow<'a, [u8]>>, usize),
     /// A single file, with its name.
     File(Cow<'a, [u8]>, String),
@@ -34,7 +34,8 @@ pub(super) enum Content<'a> {
 /// Chooses the segmentations of an archive, or its only file.
 ///
 /// # Errors
-/// `TooLarge` beyond [`ReadLimits::max_inflated_bytes`] in all or beyond the budget; `Zip` if it is damaged; `Unsupported` if it holds neither.
+/// `TooLarge` if the total exceeds [`ReadLimits::max_inflated_bytes`] or the budget; `Zip` if the archive is damaged;
+/// `Unsupported` if it holds neither.
 pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits, budget: &Budget) -> Result<Content<'a>, FormatError> {
     let mut left = limits.max_inflated_bytes;
     let (mut instances, mut others) = (Vec::new(), Vec::new());
@@ -45,7 +46,7 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits, budget: &Budget)
         if !entry.is_file() {
             continue;
         }
-        // Formats that are archives by themselves are named by what they must hold.
+        // Formats that are archives themselves are recognized by their required entries.
         document = document.or_else(|| packed_format(entry.name));
         let inflated = entry.inflated(bytes, left, limits.max_inflated_bytes, budget)?;
         left -= inflated.len();
@@ -55,7 +56,7 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits, budget: &Budget)
             budget.push(&mut instances, inflated)?;
         } else {
             n_others += 1;
-            // One is enough to say what is there, or to be read.
+            // One other file is enough to name the content, or to be read.
             if others.is_empty() {
                 others.push((inflated, entry.name()));
             } else if let Cow::Owned(dropped) = inflated {
@@ -83,15 +84,15 @@ pub(super) fn content<'a>(bytes: &'a [u8], limits: &ReadLimits, budget: &Budget)
     }
 }
 
-/// The format of which an archive is that has an entry of this name, and what to send instead.
+/// The format of an archive with an entry of this name, and what to send instead.
 fn packed_format(name: &[u8]) -> Option<(&'static str, &'static str)> {
-    const IN_MILLIMETRES: &str =
-        "export the surface as STL, PLY or OBJ in millimetres, whatever the unit of the model is";
+    const IN_MILLIMETERS: &str =
+        "export the surface as STL, PLY or OBJ in millimeters, whatever the unit of the model is";
     let name = String::from_utf8_lossy(name).to_ascii_lowercase();
     let ends = |ending: &str| name.ends_with(ending);
     Some(match name.as_str() {
-        _ if ends(".model") && name.contains("3d/") => ("3MF", IN_MILLIMETRES),
-        _ if ends(".usdc") || ends(".usda") => ("USD", IN_MILLIMETRES),
+        _ if ends(".model") && name.contains("3d/") => ("3MF", IN_MILLIMETERS),
+        _ if ends(".usdc") || ends(".usda") => ("USD", IN_MILLIMETERS),
         _ if ends(".mrml") => {
             ("a scene of 3D Slicer (.mrb)", "save the segmentation as .seg.nrrd or the model as .vtp, and send that")
         }
@@ -104,11 +105,10 @@ fn packed_format(name: &[u8]) -> Option<(&'static str, &'static str)> {
     })
 }
 
-/// The bytes of an input without compression; of an archive of segmentations, one instance, always the
-/// same.
+/// The uncompressed bytes of an input. For an archive of segmentations: one instance, always the same.
 ///
 /// # Errors
-/// As [`content`], and of gzip.
+/// The errors of [`content`], and of gzip.
 pub(super) fn dicom_or_plain<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result<Cow<'a, [u8]>, FormatError> {
     let budget = Budget::new(super::budget::for_file(bytes.len()));
     if !is_zip(bytes) {
@@ -117,7 +117,7 @@ pub(super) fn dicom_or_plain<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result
     }
     match content(bytes, limits, &budget)? {
         Content::Instances(instances, _) => {
-            // The order of files in an archive says nothing.
+            // The order of files in an archive is arbitrary.
             let first = instances.into_iter().min_by(|a, b| a.cmp(b));
             first.ok_or(FormatError::Empty)
         }
@@ -125,15 +125,15 @@ pub(super) fn dicom_or_plain<'a>(bytes: &'a [u8], limits: &ReadLimits) -> Result
     }
 }
 
-/// An archive of files, not compressed: what a folder of DICOM instances is sent as. Equal files give equal bytes.
+/// An uncompressed archive of files, in which a folder of DICOM instances is sent. Equal files give equal bytes.
 ///
 /// # Errors
-/// Those of the archive, such as more than 4 GiB.
+/// Errors of the archive, such as more than 4 GiB.
 pub fn write_zip<B: AsRef<[u8]>>(files: &[(String, B)]) -> std::io::Result<Vec<u8>> {
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
         .last_modified_time(DateTime::default());
-    // Two headers of each file, so that the archive does not move while it grows.
+    // Two headers per file; reserving them keeps the archive in place while it grows.
     let n_bytes = files.iter().map(|(name, bytes)| bytes.as_ref().len() + 2 * name.len() + 128).sum();
     let mut archive = ZipWriter::new(Cursor::new(Vec::with_capacity(n_bytes)));
     for (name, bytes) in files {
@@ -155,7 +155,7 @@ fn u32_at(bytes: &[u8], at: usize) -> u32 {
     bytes.get(at..at + 4).map_or(0, |b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
 }
 
-/// A file as the directory of the archive describes it.
+/// A file as described by the directory of the archive.
 struct Entry<'a> {
     name: &'a [u8],
     flags: u16,
@@ -163,11 +163,11 @@ struct Entry<'a> {
     checksum: u32,
     packed: u32,
     size: u32,
-    /// Where its own header begins.
+    /// Offset of the entry's own header.
     offset: u32,
 }
 
-/// The entries of the directory, read one after the other.
+/// The entries of the directory, one after the other.
 fn entries(bytes: &[u8]) -> Result<impl Iterator<Item = Result<Entry<'_>, FormatError>>, FormatError> {
     // A comment of up to 65,535 bytes may follow the end of the directory.
     let last = bytes.len().checked_sub(END_BYTES).ok_or_else(|| damaged("has no directory"))?;
@@ -208,14 +208,14 @@ impl Entry<'_> {
         String::from_utf8_lossy(self.name.rsplit(|&b| b == b'/').next().unwrap_or_default()).into_owned()
     }
 
-    /// Whether this is a file that someone meant to send: no folder, no index and nothing that a system has added.
+    /// Whether the sender meant to send this file: not a folder, an index or an addition of an operating system.
     fn is_file(&self) -> bool {
         let name = self.name();
         let is_added = self.name.starts_with(b"__MACOSX/") || name.starts_with('.') || name == "Thumbs.db";
         !name.is_empty() && !is_added && name != "DICOMDIR" && self.size > 0
     }
 
-    /// The bytes of the file: at most `left`, of a whole of `limit`.
+    /// The bytes of the file: at most `left` of a total of `limit`.
     fn inflated<'a>(
         &self,
         archive: &'a [u8],
@@ -261,7 +261,8 @@ impl Entry<'_> {
     }
 }
 
-/// A deflate stream of `size` bytes, or, for its head, of at least as many; `Ok(None)` if it is damaged or longer.
+/// A deflate stream of `size` bytes, or at least `size` bytes if only its head is read; `Ok(None)` if it is damaged or
+/// longer.
 ///
 /// # Errors
 /// `TooLarge` beyond the budget.
@@ -291,7 +292,7 @@ fn deflated(mut packed: &[u8], size: usize, is_head: bool, budget: &Budget) -> R
 mod tests {
     use super::*;
 
-    /// An archive in which the only file is deflated.
+    /// An archive whose only file is deflated.
     fn deflated_file(name: &str, bytes: &[u8]) -> Vec<u8> {
         use flate2::{Compression, write::DeflateEncoder};
         let mut encoder = DeflateEncoder::new(Vec::new(), Compression::default());

@@ -1,8 +1,8 @@
-//! The Arrow IPC **file** format (`.arrow`, Feather version 2): one record batch, not compressed.
+//! The Arrow IPC **file** format (`.arrow`, Feather version 2): one uncompressed record batch.
 //!
 //! Source: "Arrow Columnar Format", section "Serialization and Interprocess Communication", and the schemas
-//! `Schema.fbs`, `Message.fbs` and `File.fbs`. The metadata are FlatBuffers; the few tables that plain columns
-//! need are encoded here by [`Flat`], because the Arrow library is larger than all of this crate.
+//! `Schema.fbs`, `Message.fbs` and `File.fbs`. The metadata are FlatBuffers; [`Flat`] encodes the few tables that plain
+//! columns need, because the Arrow library is larger than all of this crate.
 
 use super::PairColumns;
 use super::vertex_arrays::{VertexArray, VertexValues};
@@ -15,7 +15,7 @@ const ALIGNMENT: usize = 8;
 /// `MetadataVersion.V5`.
 const VERSION: i16 = 4;
 
-/// The types of columns that are written.
+/// Supported column types.
 #[derive(Clone, Copy)]
 enum Column {
     Uint32,
@@ -49,7 +49,7 @@ pub fn write_arrow(pairs: &PairColumns<'_>) -> Vec<u8> {
     body.add(pairs.source[..n].iter().flat_map(|v| v.to_le_bytes()));
     body.add(pairs.target[..n].iter().flat_map(|v| v.to_le_bytes()));
     body.add(pairs.confidence[..n].iter().flat_map(|v| v.to_le_bytes()));
-    // Eight truth values a byte, the first in the lowest bit.
+    // Eight booleans per byte, the first in the lowest bit.
     let bits = pairs.inlier[..n].chunks(8);
     body.add(bits.map(|byte| byte.iter().enumerate().fold(0u8, |sum, (k, &bit)| sum | u8::from(bit) << k)));
     body.add(pairs.spread_mm[..n].iter().flat_map(|v| v.to_le_bytes()));
@@ -89,7 +89,7 @@ pub fn write_arrow_table(arrays: &[VertexArray]) -> Vec<u8> {
     arrow_file(&columns, n, &body)
 }
 
-/// A file of one record batch.
+/// A file with one record batch.
 fn arrow_file(columns: &[(&str, Column)], n: usize, body: &Body) -> Vec<u8> {
     let mut file = MAGIC.to_vec();
     file.resize(ALIGNMENT, 0);
@@ -116,7 +116,7 @@ fn message(file: &mut Vec<u8>, metadata: &[u8], body: &[u8]) -> usize {
     8 + padded
 }
 
-/// The buffers of a record batch: for each column an empty one, as nothing is null, and its values.
+/// The buffers of a record batch: for each column an empty validity buffer, as nothing is null, and the values.
 #[derive(Default)]
 struct Body {
     bytes: Vec<u8>,
@@ -219,7 +219,7 @@ enum Field {
     I16(i16),
     I32(i32),
     I64(i64),
-    /// To a table, vector or string that follows.
+    /// A link to a later table, vector or string.
     Link,
 }
 
@@ -237,7 +237,7 @@ impl Field {
 }
 
 impl Flat {
-    /// The first table, which the buffer's first four bytes point at; returns the places of its links.
+    /// The first table, to which the first four bytes of the buffer point; returns the places of its links.
     fn root(&mut self, fields: &[Field]) -> Vec<usize> {
         self.bytes.resize(4, 0);
         let (place, links) = self.table(fields);
@@ -245,7 +245,7 @@ impl Flat {
         links
     }
 
-    /// A table behind its vtable. Returns its place and those of its links.
+    /// A table behind its vtable. Returns its place and the places of its links.
     fn table(&mut self, fields: &[Field]) -> (usize, Vec<usize>) {
         let vtable_length = 4 + 2 * fields.len();
         // The table is aligned for its widest field; its first four bytes lead back to the vtable.
@@ -274,7 +274,7 @@ impl Flat {
         (place, links)
     }
 
-    /// A vector of links; returns its place and those of the links.
+    /// A vector of links; returns its place and the places of the links.
     fn vector_of_links(&mut self, n: usize) -> (usize, Vec<usize>) {
         let place = self.bytes.len().next_multiple_of(4);
         self.bytes.resize(place, 0);
@@ -285,7 +285,7 @@ impl Flat {
 
     /// A vector of structs of `N` 64-bit numbers.
     fn vector_of_longs<const N: usize>(&mut self, items: &[[i64; N]]) -> usize {
-        // The elements are aligned; their number stands before them.
+        // The elements are aligned; their number precedes them.
         let place = (self.bytes.len() + 4).next_multiple_of(8) - 4;
         self.bytes.resize(place, 0);
         self.bytes.extend((items.len() as u32).to_le_bytes());
@@ -302,7 +302,7 @@ impl Flat {
         place
     }
 
-    /// Points the link at `from` to `to`, which stands behind it.
+    /// Points the link at `from` to `to`, which lies behind it.
     fn link(&mut self, from: usize, to: usize) {
         self.bytes[from..from + 4].copy_from_slice(&((to - from) as u32).to_le_bytes());
     }

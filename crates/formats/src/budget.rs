@@ -1,34 +1,35 @@
-//! What reading a file may take of memory: every list that grows with the content of a file is charged here before it grows, so
-//! that a small file takes little whatever it says, and whatever it inflates to.
+//! Memory budget for reading a file. Every list that grows with the content of a file is charged here before it grows,
+//! so a small file takes little memory, whatever it states and whatever it inflates to.
 //!
-//! The law, which `tests/memory.rs` measures: while a file is read, at most [`BYTES_PER_BYTE`] bytes are held for each byte that
-//! was received, [`BYTES_ALWAYS`] in any case, and four times the voxels that a header declares, at four bytes each or more
-//! if they are stored as more. Label maps of mostly background compress a thousand times, so their size counts by what they
-//! declare and not by what was received; [`super::ReadLimits::max_inflated_bytes`] bounds it.
+//! The limit, which `tests/memory.rs` measures: while a file is read, at most [`BYTES_PER_BYTE`] bytes are held for
+//! each received byte, plus [`BYTES_ALWAYS`], plus four times the voxels that a header declares, at four bytes each, or
+//! more if they are stored as more. Label maps of mostly background compress a thousand times, so they count by their
+//! declared size, not by the received bytes; [`super::ReadLimits::max_inflated_bytes`] bounds that size.
 
 use super::{FormatError, ReadLimits};
 use std::cell::Cell;
 
-/// Bytes that may be held for each byte that was received, and in any case.
+/// Bytes that may be held per received byte, and in addition for any file.
 const BYTES_PER_BYTE: usize = 64;
 const BYTES_ALWAYS: usize = 16 << 20;
-/// What of these is kept for what is not charged: buffers and tables of fixed size, a look at the header, texts of errors.
+/// Part of these limits reserved for uncharged memory: buffers and tables of fixed size, an inspection of the header,
+/// texts of errors.
 const KEPT_PER_BYTE: usize = 2;
 const KEPT_ALWAYS: usize = 3 << 20;
-/// Deflate makes at most this of a byte.
+/// Largest inflation of a byte by deflate.
 const MOST_INFLATION: usize = 1032;
-/// How often the declared voxels may be held while they are read: as they are stored, as labels, and while a list of either
-/// grows. The file of a volume that is compressed as a whole is held once more.
+/// Number of times that the declared voxels may be held while they are read: as stored, as labels, and while a list of
+/// either grows. The file of a volume that is compressed as a whole is held once more.
 const COPIES_OF_VOXELS: usize = 3;
 
-/// What is left of the memory for reading a file.
+/// Remaining memory for reading a file.
 #[derive(Debug)]
 pub(super) struct Budget {
     left: Cell<usize>,
     limit: Cell<usize>,
 }
 
-/// The memory for reading a file of which `n_bytes` were received.
+/// Memory for reading a file of `n_bytes` received bytes.
 pub(super) fn for_file(n_bytes: usize) -> usize {
     n_bytes.saturating_mul(BYTES_PER_BYTE - KEPT_PER_BYTE).saturating_add(BYTES_ALWAYS - KEPT_ALWAYS)
 }
@@ -46,7 +47,7 @@ impl Budget {
         self.left.get()
     }
 
-    /// Takes bytes of the budget.
+    /// Takes bytes from the budget.
     ///
     /// # Errors
     /// `TooLarge` if fewer are left.
@@ -60,28 +61,28 @@ impl Budget {
         Ok(())
     }
 
-    /// [`Budget::charge`] for so many values.
+    /// [`Budget::charge`] for `n` values.
     pub(super) fn charge_of<T>(&self, n: usize) -> Result<(), FormatError> {
         self.charge(n.saturating_mul(size_of::<T>()))
     }
 
-    /// Gives back what is no longer held.
+    /// Returns memory that is no longer held.
     pub(super) fn release(&self, n_bytes: usize) {
         self.left.set(self.left.get().saturating_add(n_bytes));
     }
 
-    /// Adds room for the file of a volume as it is stored, where that is compressed as a whole.
+    /// Adds room for the stored file of a volume that is compressed as a whole.
     pub(super) fn grant(&self, n_bytes: usize) {
         self.left.set(self.left.get().saturating_add(n_bytes));
         self.limit.set(self.limit.get().saturating_add(n_bytes));
     }
 
-    /// Adds room for a volume of which a header declares `n_bytes`, four for each voxel at least.
+    /// Adds room for a volume whose header declares `n_bytes`, at least four per voxel.
     pub(super) fn grant_voxels(&self, n_bytes: usize) {
         self.grant(n_bytes.saturating_mul(COPIES_OF_VOXELS));
     }
 
-    /// Makes room for `more` values. While a list grows, its old and its new place are both held.
+    /// Reserves room for `more` values. While a list grows, its old and its new allocation are both held.
     pub(super) fn reserve<T>(&self, list: &mut Vec<T>, more: usize) -> Result<(), FormatError> {
         let (before, needed) = (list.capacity(), list.len().saturating_add(more));
         if needed > before {
@@ -105,7 +106,7 @@ impl Budget {
         Ok(())
     }
 
-    /// The values of a sequence whose length is not known, up to the first error.
+    /// Collects the values of a sequence of unknown length, up to the first error.
     pub(super) fn collect<T>(
         &self,
         values: impl IntoIterator<Item = Result<T, FormatError>>,
@@ -117,7 +118,7 @@ impl Budget {
         Ok(list)
     }
 
-    /// Room for what `n_packed` compressed bytes can inflate to, at most for `expected`: a list that need not grow.
+    /// Room for the inflated form of `n_packed` compressed bytes, at most `expected`: a list that need not grow.
     pub(super) fn for_inflated(&self, n_packed: usize, expected: usize) -> Result<Vec<u8>, FormatError> {
         let mut list = Vec::new();
         let n_bytes = expected.min(n_packed.saturating_mul(MOST_INFLATION));
@@ -138,7 +139,7 @@ mod tests {
         let mut list: Vec<u64> = Vec::new();
         let refused = (0..).find_map(|k| budget.push(&mut list, k).err());
         assert!(matches!(refused, Some(FormatError::TooLarge { limit: 1000, .. })), "{refused:?}");
-        // 63 values are 504 bytes, and 94 of them are 752, more than the rest of what is left.
+        // 63 values are 504 bytes; 94 values are 752, more than the remaining budget.
         assert_eq!((list.len(), budget.left()), (63, 496));
         drop(list);
         budget.release(504);

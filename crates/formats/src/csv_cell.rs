@@ -1,29 +1,30 @@
-//! Cells of tables as CSV with text that people or files wrote.
+//! CSV cells with text from people or files.
 //!
-//! A spreadsheet computes a cell that begins with `=`, `+`, `-` or `@`, so that a name or a reason could open an address or start
-//! a program where the table is opened. Such text gets an apostrophe in front, which spreadsheets take for "this is text".
-//! Numbers are written by their own writers, without this.
+//! A spreadsheet computes a cell that begins with `=`, `+`, `-` or `@`, so a name or a reason could open an address or
+//! start a program where the table is opened. Such text gets a leading apostrophe, which marks text in spreadsheets.
+//! Numbers are written without it, by other writers.
 
-/// What a spreadsheet takes for the beginning of a formula, also in the wide forms of East Asian keyboards; a tab and line ends are
-/// skipped by some before they look.
+/// Characters that begin a formula in spreadsheets, including the wide forms of East Asian keyboards; some spreadsheets
+/// skip tabs and line ends first.
 const BEGINS_FORMULA: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
 
-/// Text as a cell of CSV (RFC 4180): with an apostrophe in front where a spreadsheet would compute it, and in quotation marks
-/// where it has commas, quotation marks or line ends. A negative number stays as it is.
+/// Text as a cell of CSV (RFC 4180): with a leading apostrophe if a spreadsheet would compute it, and in quotation
+/// marks if it contains commas, quotation marks or line ends. A negative number is unchanged.
 ///
-/// [`text_of_cell`] is its inverse once the quotation marks are gone. `O(n)`.
+/// [`text_of_cell`] is the inverse after removal of the quotation marks. `O(n)`.
 pub fn text_cell(text: &str) -> String {
     let text = if is_computed(text) { format!("'{text}") } else { text.to_owned() };
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
-/// The text that [`text_cell`] wrote, from a cell without its quotation marks: the apostrophe in front of what a spreadsheet would
-/// compute is removed.
+/// The text passed to [`text_cell`], from a cell without its quotation marks: removes the apostrophe in front of a
+/// formula.
 pub fn text_of_cell(cell: &str) -> &str {
     cell.strip_prefix('\'').filter(|text| is_computed(text)).unwrap_or(cell)
 }
 
-/// Whether text gets an apostrophe: if it begins a formula, also after apostrophes of its own, so that none is lost on the way back.
+/// Whether text gets an apostrophe: if it begins a formula, also after apostrophes of its own, so that the inverse
+/// loses none.
 fn is_computed(text: &str) -> bool {
     let rest = text.trim_start_matches('\'');
     let is_number = rest.starts_with('-') && rest.parse::<f64>().is_ok_and(f64::is_finite);
@@ -60,7 +61,7 @@ mod tests {
     #[test]
     fn text_comes_back_as_it_was() {
         for text in ["=1", "'=1", "''@x", "'", "''", "-1", "'-1", "-x", "plain", "\t-", "'a", ""] {
-            // None of them needs quotation marks.
+            // None of these texts needs quotation marks.
             assert_eq!(text_of_cell(&text_cell(text)), text);
         }
     }

@@ -1,13 +1,14 @@
-//! Which format a file has, by its content; its name decides only where the content does not, and only between formats that
-//! have no magic word.
+//! Detects the format of a file by its content. The name decides only where the content does not, and only between
+//! formats without a magic word.
 
 use super::text::without_preamble;
 use super::{FormatError, InputFormat, dicom, freesurfer, metaimage, mgh, mz3, nifti, nrrd, obj, off, stl, unread};
 
-/// How much of a file is looked at for the root of an XML document.
+/// Bytes that are searched for the root of an XML document.
 const XML_HEAD_BYTES: usize = 1 << 16;
 
-/// The format of a file (not compressed), and its bytes from where it begins: text may have a byte order mark or blanks before.
+/// The format of an uncompressed file, and its bytes from where it begins: a byte order mark or blanks may precede
+/// text.
 ///
 /// # Errors
 /// `Unsupported` for a format that is known but not read; `NotAsNamed`; `UnknownFormat`.
@@ -25,7 +26,7 @@ pub(super) fn detect<'a>(bytes: &'a [u8], file_name: Option<&str>) -> Result<(In
     let promised = file_name.and_then(by_name);
     match promised {
         Some(InputFormat::Stl) if stl::may_be_stl(bytes, true) => Ok((InputFormat::Stl, bytes)),
-        // Nothing in the content contradicts the name.
+        // The content does not contradict the name.
         Some(format @ (InputFormat::Off | InputFormat::Obj | InputFormat::Freesurfer)) if is_numbers(text) => {
             Ok((format, text))
         }
@@ -35,7 +36,7 @@ pub(super) fn detect<'a>(bytes: &'a [u8], file_name: Option<&str>) -> Result<(In
     }
 }
 
-/// The format that the content alone tells.
+/// The format by content alone.
 pub(super) fn by_content(bytes: &[u8]) -> Option<InputFormat> {
     let starts = |magic: &str| bytes.get(..magic.len()).is_some_and(|head| head.eq_ignore_ascii_case(magic.as_bytes()));
     let is_ply = starts("ply") && bytes.get(3).is_some_and(u8::is_ascii_whitespace);
@@ -58,7 +59,7 @@ pub(super) fn by_content(bytes: &[u8]) -> Option<InputFormat> {
     formats.into_iter().find_map(|(is, format)| is.then_some(format))
 }
 
-/// Whether this is XML whose root element begins so.
+/// Whether `bytes` are XML whose root element begins with `root`.
 pub(super) fn has_root(bytes: &[u8], root: &[u8]) -> bool {
     let bytes = without_preamble(bytes);
     let head = &bytes[..bytes.len().min(XML_HEAD_BYTES)];
@@ -73,14 +74,14 @@ fn is_numbers(text: &[u8]) -> bool {
     words.peek().is_some() && words.all(|word| super::text::real(word).is_some())
 }
 
-/// What follows the last point of a name, without `.gz`, in lower case.
+/// The extension of a name, without `.gz`, in lower case.
 fn extension(name: &str) -> String {
     let name = name.to_ascii_lowercase();
     let name = name.strip_suffix(".gz").unwrap_or(&name);
     name.rsplit_once('.').map_or("", |(_, extension)| extension).to_owned()
 }
 
-/// The format that a name promises.
+/// The format that a name indicates.
 pub(super) fn by_name(name: &str) -> Option<InputFormat> {
     match extension(name).as_str() {
         "nii" => Some(InputFormat::Nifti),
@@ -101,7 +102,7 @@ pub(super) fn by_name(name: &str) -> Option<InputFormat> {
     }
 }
 
-/// What a report says of a file whose name promises another format than it has.
+/// Note of a report on a file whose name indicates another format than it has.
 pub(super) fn misnamed(format: InputFormat, file_name: Option<&str>) -> Option<String> {
     let promised = by_name(file_name?).filter(|&promised| promised != format)?;
     Some(format!("the name promises {}, but the content is {}, and was read as that", promised.title(), format.title()))

@@ -1,14 +1,15 @@
-//! DICOM data sets: files of part 10 in the explicit, implicit and deflated little-endian encodings, also without their preamble,
-//! and data sets alone, as old programs store them: then the first elements tell the encoding.
+//! DICOM data sets: files of part 10 in the explicit, implicit and deflated little-endian encodings, also without their
+//! preamble, and bare data sets as stored by old programs, whose first elements tell the encoding.
 //!
-//! Source: DICOM PS3.5, sections 7 and A, and PS3.10, section 7. Written by hand because a value's length must be held
-//! against the bytes that are there before memory is taken for it. Values stay slices of the file; names are not known.
+//! Source: DICOM PS3.5, sections 7 and A, and PS3.10, section 7. The parser is hand-written because the length of a
+//! value must be checked against the available bytes before memory is allocated. Values stay slices of the file; names
+//! of attributes are not known.
 
 use super::budget::Budget;
 use super::xml::read_charged;
 use super::{FormatError, ReadLimits};
 
-/// How deep sequences may be nested.
+/// Largest nesting depth of sequences.
 const MAX_DEPTH: usize = 16;
 
 const UNDEFINED: u32 = u32::MAX;
@@ -24,23 +25,22 @@ pub(super) const ROWS: u32 = 0x0028_0010;
 pub(super) const COLUMNS: u32 = 0x0028_0011;
 pub(super) const BITS_ALLOCATED: u32 = 0x0028_0100;
 
-/// Whether these are the first bytes of a DICOM object: a file of part 10, with its preamble or without, or a data set alone.
+/// Whether `bytes` begin like a DICOM object: a file of part 10, with or without its preamble, or a bare data set.
 pub(super) fn is_dicom(bytes: &[u8]) -> bool {
     bytes.get(128..132) == Some(MAGIC) || bytes.starts_with(MAGIC) || begins_with_elements(bytes)
 }
 
 const MAGIC: &[u8] = b"DICM";
-/// Elements that are looked at where nothing else says that a file is DICOM.
+/// Number of elements inspected if nothing else identifies a file as DICOM.
 const MIN_ELEMENTS: usize = 4;
-/// Memory for a look at the first elements.
+/// Memory for inspecting the first elements.
 const LOOK_BYTES: usize = 1 << 20;
-/// As much of a data set as is looked at for the size of its pixel data, which is stated before them.
+/// Bytes of a data set that are searched for the size of its pixel data, which is stated before them.
 pub(super) const HEAD_BYTES: usize = 1 << 20;
 
-/// Whether the first elements are those of a file without preamble: of the groups 2 and 8, ascending, with lengths that a file
-/// can have.
+/// Whether the first elements belong to a file without preamble: groups 2 and 8, ascending, with plausible lengths.
 fn begins_with_elements(bytes: &[u8]) -> bool {
-    // Whoever sends four elements of millions of items is asked for nothing more.
+    // A sender of four elements with millions of items is not asked for more.
     let budget = Budget::new(LOOK_BYTES);
     let mut reader = Reader { bytes, at: 0, explicit: is_explicit(bytes), budget: &budget };
     let mut last = 0;
@@ -51,7 +51,7 @@ fn begins_with_elements(bytes: &[u8]) -> bool {
         if !begins || ![2, 8, 0x10, 0x18, 0x20, 0x28, 0x62].contains(&group) || tag <= last && k > 0 {
             return false;
         }
-        // Elements of the group of meta information are always explicit.
+        // Elements of the meta information group are always explicit.
         reader.explicit = group == 2 || is_explicit(&reader.bytes[reader.at..]);
         if reader.element(0).is_err() {
             return false;
@@ -61,22 +61,22 @@ fn begins_with_elements(bytes: &[u8]) -> bool {
     true
 }
 
-/// Whether an element states its representation: two capital letters after its tag.
+/// Whether an element states its value representation: two capital letters after its tag.
 fn is_explicit(bytes: &[u8]) -> bool {
     bytes.get(4..6).is_some_and(|letters| letters.iter().all(u8::is_ascii_uppercase))
 }
 
-/// How pixel data are stored.
+/// Storage of pixel data.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum PixelEncoding {
-    /// As they are.
+    /// Uncompressed.
     Native,
-    /// Run lengths, a fragment for each frame.
+    /// Run lengths, with a fragment for each frame.
     Rle,
 }
 
-/// Bytes that the pixel data of a segmentation take, in memory or in the file, by what the first elements of a data set state; 0 if
-/// they do not.
+/// Size of the pixel data of a segmentation, in memory or in the file, as stated by the first elements of a data set; 0
+/// if they do not state it.
 fn declared_by(bytes: &[u8], explicit: bool) -> usize {
     let budget = Budget::new(LOOK_BYTES);
     let mut reader = Reader { bytes, at: 0, explicit, budget: &budget };
@@ -96,7 +96,8 @@ fn declared_by(bytes: &[u8], explicit: bool) -> usize {
     usize::try_from(n_bits.div_ceil(8)).unwrap_or(usize::MAX)
 }
 
-/// Bytes that the pixel data take by what the first bytes of a file state; 0 if they do not, or if it is deflated by itself.
+/// Size of the pixel data as stated by the first bytes of a file; 0 if they do not state it, or if the file itself is
+/// deflated.
 pub(super) fn declared_pixels(head: &[u8]) -> usize {
     let budget = Budget::new(LOOK_BYTES);
     match after_meta(head, &budget) {
@@ -108,7 +109,7 @@ pub(super) fn declared_pixels(head: &[u8]) -> usize {
 const IMPLICIT: &str = "1.2.840.10008.1.2";
 const DEFLATED: &str = "1.2.840.10008.1.2.1.99";
 
-/// What follows the meta information, and the transfer syntax; empty if it is not stated.
+/// The bytes after the meta information, and the transfer syntax, which is empty if it is not stated.
 fn after_meta<'a>(bytes: &'a [u8], budget: &Budget) -> Result<(&'a [u8], &'a str), FormatError> {
     let start = match bytes.get(128..132) == Some(MAGIC) {
         true => &bytes[132..],
@@ -116,7 +117,7 @@ fn after_meta<'a>(bytes: &'a [u8], budget: &Budget) -> Result<(&'a [u8], &'a str
     };
     let mut meta = Reader { bytes: start, at: 0, explicit: true, budget };
     let mut syntax = "";
-    // The group of meta information, always explicit and little-endian.
+    // The meta information group, always explicit and little-endian.
     while meta.peek_tag().is_some_and(|tag| tag >> 16 == 2) {
         let element = meta.element(0)?;
         if element.tag == TRANSFER_SYNTAX {
@@ -126,8 +127,8 @@ fn after_meta<'a>(bytes: &'a [u8], budget: &Budget) -> Result<(&'a [u8], &'a str
     Ok((&start[meta.at..], syntax))
 }
 
-/// A file: its data set may have to be inflated first, into `inflated`. What is inflated, and every element, item and fragment, is
-/// charged to the budget; pixel data are granted by the size that the data set states for them.
+/// Reads a file; a deflated data set is inflated into `inflated` first. Inflated bytes, and every element, item and
+/// fragment, are charged to the budget; pixel data are granted by the size that the data set states for them.
 pub(super) fn read_file<'a>(
     bytes: &'a [u8],
     inflated: &'a mut Vec<u8>,
@@ -137,7 +138,7 @@ pub(super) fn read_file<'a>(
     let (rest, syntax) = after_meta(bytes, budget)?;
     let unsupported = |what, advice| Err(FormatError::Unsupported { what, advice });
     let (bytes, explicit, pixels) = match syntax {
-        // Not stated.
+        // Transfer syntax not stated.
         "" => (rest, is_explicit(rest), PixelEncoding::Native),
         IMPLICIT => (rest, false, PixelEncoding::Native),
         "1.2.840.10008.1.2.1" => (rest, true, PixelEncoding::Native),
@@ -146,7 +147,7 @@ pub(super) fn read_file<'a>(
             use std::io::Read;
             let stream = || flate2::read::DeflateDecoder::new(rest);
             let mut head = Vec::with_capacity(HEAD_BYTES);
-            // A stream that is damaged is so below, too.
+            // A damaged stream is reported below.
             let _ = stream().take(HEAD_BYTES as u64).read_to_end(&mut head);
             let declared = declared_by(&head, true).min(limits.max_inflated_bytes);
             drop(head);
@@ -191,11 +192,11 @@ fn damaged() -> FormatError {
     FormatError::Payload { format: "DICOM", line: None }
 }
 
-/// Data elements in their order.
+/// Data elements in order.
 #[derive(Debug, Default)]
 pub(super) struct DataSet<'a> {
     elements: Vec<DataElement<'a>>,
-    /// Bytes after the pixel data that are no element, since tags ascend, nor zeros.
+    /// Bytes after the pixel data that are neither an element, since tags ascend, nor zeros.
     pub(super) n_trailing: usize,
 }
 
@@ -221,15 +222,15 @@ impl<'a> DataElement<'a> {
         }
     }
 
-    /// The value without its padding; empty if it is no text.
+    /// The value without its padding; empty if it is not text.
     fn text(&self) -> &'a str {
         std::str::from_utf8(self.bytes()).unwrap_or_default().trim_matches([' ', '\0'])
     }
 }
 
 impl<'a> DataSet<'a> {
-    /// Puts the elements into the order of their tags, in which a file of the standard has them; of equal tags the first stays
-    /// first. A set of millions is then searched as fast as any.
+    /// Sorts the elements by tag, the order in standard files; elements with equal tags keep their order. Searching
+    /// stays fast even in a set of millions.
     fn sort(&mut self, budget: &Budget) -> Result<(), FormatError> {
         if !self.elements.is_sorted_by_key(|element| element.tag) {
             let n_bytes = size_of_val(self.elements.as_slice());
@@ -249,17 +250,17 @@ impl<'a> DataSet<'a> {
         self.get(tag).map_or(&[], DataElement::bytes)
     }
 
-    /// Text in UTF-8 or ASCII; of other character sets, what is ASCII.
+    /// Text in UTF-8 or ASCII; for other character sets, its ASCII characters.
     pub(super) fn text(&self, tag: u32) -> String {
         String::from_utf8_lossy(self.bytes(tag)).trim_matches([' ', '\0']).to_owned()
     }
 
-    /// A number of the representation US.
+    /// A number with value representation US.
     pub(super) fn short(&self, tag: u32) -> Option<u16> {
         self.bytes(tag).first_chunk::<2>().map(|b| u16::from_le_bytes(*b))
     }
 
-    /// Numbers in text, between backslashes; none if one is damaged.
+    /// Numbers in text, separated by backslashes; empty if one is damaged.
     pub(super) fn numbers(&self, tag: u32) -> Vec<f64> {
         let text = self.text(tag);
         let numbers: Result<Vec<f64>, _> = text.split('\\').map(|w| w.trim().parse()).collect();
@@ -273,7 +274,7 @@ impl<'a> DataSet<'a> {
         }
     }
 
-    /// The only item of a sequence, or the first.
+    /// The first item of a sequence.
     pub(super) fn item(&self, tag: u32) -> Option<&DataSet<'a>> {
         self.items(tag).first()
     }
@@ -350,7 +351,7 @@ impl<'a> Reader<'a, '_> {
                 (representation, u32::from(u16::from_le_bytes([b[0], b[1]])))
             }
         } else {
-            // The dictionary would tell sequences from other values: those that matter are looked at below.
+            // A dictionary would distinguish sequences from other values; the relevant ones are listed below.
             (b"??".as_slice(), self.u32()?)
         };
         let is_pixels = tag == super::dicom_seg::PIXEL_DATA;
@@ -393,7 +394,7 @@ impl<'a> Reader<'a, '_> {
         Ok(items)
     }
 
-    /// Where a value of this length ends, at the latest.
+    /// The latest end of a value of this length.
     fn end_of(&self, length: u32) -> Result<usize, FormatError> {
         let available = (self.bytes.len() - self.at) as u64;
         match length {
@@ -422,8 +423,8 @@ impl<'a> Reader<'a, '_> {
     }
 }
 
-/// A frame of `n` samples of `size` bytes, little-endian, from run lengths (PS3.5, annex G), where each byte of the samples has
-/// a segment of its own, the highest first. `None` if they are damaged.
+/// A frame of `n` samples of `size` bytes, little-endian, from run lengths (PS3.5, annex G), with a segment for each
+/// byte of the samples, the highest first. `None` if they are damaged.
 pub(super) fn rle_frame(fragment: &[u8], n: usize, size: usize) -> Option<Vec<u8>> {
     let word = |at: usize| fragment.get(at..at + 4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as usize);
     if word(0)? != size {
@@ -435,7 +436,7 @@ pub(super) fn rle_frame(fragment: &[u8], n: usize, size: usize) -> Option<Vec<u8
 }
 
 fn rle_segment(mut rest: &[u8], n_bytes: usize) -> Option<Vec<u8>> {
-    // A byte is repeated 128 times at most.
+    // A byte is repeated at most 128 times.
     let mut plain = Vec::with_capacity(n_bytes.saturating_add(128).min(rest.len().saturating_mul(64)));
     while plain.len() < n_bytes {
         let (&control, after) = rest.split_first()?;

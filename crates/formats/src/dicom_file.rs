@@ -1,7 +1,8 @@
-//! Writing of DICOM files: data elements, identifiers, and what an object takes over from the study of an input.
+//! Writing of DICOM files: data elements, identifiers, and the attributes that an object copies from the study of an
+//! input.
 //!
-//! Source: DICOM PS3.5, sections 7 and 9, and PS3.10, section 7. Written by hand in explicit little endian, as [`super::dicom`]
-//! reads: a library would bring a dictionary of all attributes for less than a hundred of them.
+//! Source: DICOM PS3.5, sections 7 and 9, and PS3.10, section 7. Hand-written, in explicit little endian as read by
+//! [`super::dicom`]: a library would bring a dictionary of all attributes for less than a hundred of them.
 
 use super::dicom::DataSet;
 
@@ -11,8 +12,8 @@ pub(super) const SERIES: u32 = 0x0020_000e;
 pub(super) const FRAME_OF_REFERENCE: u32 = 0x0020_0052;
 const CHARACTER_SET: u32 = 0x0008_0005;
 
-/// Attributes of patient and study that are copied: tag, representation; those that must be there are written empty if they
-/// are not.
+/// Copied attributes of patient and study: tag, representation, and whether the attribute is required; required ones
+/// are written empty if they are missing.
 const COPIED: [(u32, &[u8; 2], bool); 11] = [
     (CHARACTER_SET, b"CS", false),
     (0x0008_0020, b"DA", true),
@@ -27,11 +28,11 @@ const COPIED: [(u32, &[u8; 2], bool); 11] = [
     (0x0020_0010, b"SH", true),
 ];
 
-/// The study that an object is put into.
+/// The study of an object.
 pub(super) enum Study<'a> {
-    /// That of an input, with its patient.
+    /// The study of an input, with its patient.
     Of(&'a DataSet<'a>),
-    /// One of which nothing is known but its UID.
+    /// A study known only by its UID.
     Named(&'a str),
 }
 
@@ -44,7 +45,7 @@ impl Study<'_> {
     }
 }
 
-/// Puts an object into a study.
+/// Adds an object to a study.
 pub(super) fn add_study(body: &mut Elements, study: &Study<'_>) {
     for (tag, representation, required) in COPIED {
         let value = match study {
@@ -58,15 +59,15 @@ pub(super) fn add_study(body: &mut Elements, study: &Study<'_>) {
     }
 }
 
-/// The frame of reference of an input; of one that states none, such as a file of another format, the given one, or a name
-/// made of its bytes.
+/// The frame of reference of an input. If it states none, as for a file of another format: the given one, or a name
+/// derived from its bytes.
 pub(super) fn frame_of_reference(set: Option<&DataSet<'_>>, bytes: &[u8], given: Option<&str>) -> String {
     let stated = set.map(|set| set.text(FRAME_OF_REFERENCE)).filter(|uid| !uid.is_empty());
     let named = || given.map_or_else(|| uid_of(&[b"frame of reference", bytes]), str::to_owned);
     stated.unwrap_or_else(named)
 }
 
-/// A UID made of a hash (PS3.5, section B.2): `2.25.` and a number of 128 bits, those of a UUID of version 8.
+/// A UID from a hash (PS3.5, section B.2): `2.25.` and a number of 128 bits, as in a UUID of version 8.
 pub(super) fn uid_of(parts: &[&[u8]]) -> String {
     let mut hasher = blake3::Hasher::new();
     for part in parts {
@@ -80,7 +81,7 @@ pub(super) fn uid_of(parts: &[&[u8]]) -> String {
     format!("2.25.{}", u128::from_be_bytes(bytes))
 }
 
-/// A number as a decimal string, which has at most 16 characters.
+/// A number as a decimal string of at most 16 characters.
 pub(super) fn decimal(value: f64) -> String {
     let value = value + 0.0;
     (0..=14)
@@ -90,7 +91,7 @@ pub(super) fn decimal(value: f64) -> String {
         .unwrap_or_else(|| format!("{value:.8e}"))
 }
 
-/// Data elements, which [`Elements::bytes`] puts into the order of their tags.
+/// Data elements; [`Elements::bytes`] sorts them by tag.
 #[derive(Default)]
 pub(super) struct Elements {
     list: Vec<(u32, [u8; 2], Vec<u8>)>,
@@ -132,7 +133,7 @@ impl Elements {
                 bytes.extend([0, 0]);
                 bytes.extend((value.len() as u32).to_le_bytes());
             } else {
-                // Values with short lengths are identifiers and names; none comes near the limit.
+                // Values with short lengths are identifiers and names, far below the limit.
                 let length = value.len().min(usize::from(u16::MAX) - 1);
                 bytes.extend((length as u16).to_le_bytes());
                 bytes.extend(&value[..length]);

@@ -1,10 +1,10 @@
 //! DICOM segmentations (SEG) in one file or several: binary, fractional and label maps, of one or many segments.
 //!
-//! Source: DICOM PS3.3, sections A.51 and C.8.20. The geometry is that of the functional groups of the frames. Writers leave
-//! out empty frames, as the standard allows: the frames lie on a regular stack, and where it has no frame of a segment, the
-//! segment is absent. A note says how many slices between the frames of the chosen segments have none, since a lost frame
-//! looks the same. Frames of other segments that lie elsewhere are left out. Segments may overlap. Coordinates are LPS and are
-//! converted to RAS.
+//! Source: DICOM PS3.3, sections A.51 and C.8.20. The functional groups of the frames define the geometry. Writers may
+//! leave out empty frames: the frames lie on a regular stack, and where the stack has no frame of a segment, the
+//! segment is absent. A note states how many slices between the frames of the chosen segments have none, since a lost
+//! frame looks the same. Frames of other segments that lie off the stack are left out. Segments may overlap.
+//! Coordinates are LPS and are converted to RAS.
 
 use super::budget::Budget;
 use super::dicom::{
@@ -26,7 +26,7 @@ const PLANE_POSITION: u32 = 0x0020_9113;
 const SLIDE_POSITION: u32 = 0x0048_021a;
 const SEGMENT_IDENTIFICATION: u32 = 0x0062_000a;
 const SEGMENTS: u32 = 0x0062_0002;
-/// Sequences that are read, for files that do not say which values are sequences.
+/// Sequences that are read, for files that do not state which values are sequences.
 pub(super) const SEQUENCES: [u32; 8] = [
     SHARED_GROUPS,
     FRAME_GROUPS,
@@ -38,18 +38,18 @@ pub(super) const SEQUENCES: [u32; 8] = [
     SEGMENTS,
 ];
 
-/// Bytes that are held for each frame beside its pixels.
+/// Bytes held for each frame besides its pixels.
 const FRAME_BYTES: usize = 160;
-/// How far a frame may be from its place in the stack, in frames.
+/// Largest distance of a frame from its place in the stack, in frames.
 const PLACE_TOLERANCE: f64 = 0.05;
 
-/// Reads a label volume whose labels are the numbers of the segments, from one instance or from several of one grid, such as
-/// the parts of a series. Where instances number different segments alike, those of later ones get new numbers, and a note
-/// says so; parts of one concatenation share their numbers.
+/// Reads a label volume whose labels are the segment numbers, from one instance or from several on one grid, such as
+/// the parts of a series. If instances use the same number for different segments, the segments of later instances get
+/// new numbers, and a note says so; parts of one concatenation share their numbers.
 ///
 /// # Errors
-/// [`FormatError`]; other DICOM objects, segmentations of slides, and frames of the chosen segments that are not parallel or not
-/// on a regular stack are refused.
+/// [`FormatError`]. Other DICOM objects, segmentations of slides, and frames of the chosen segments that are not
+/// parallel or not on a regular stack are refused.
 ///
 /// # Cost
 /// Linear in the number of voxels of all frames.
@@ -127,7 +127,7 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
         for k in 0..instance.set.items(FRAME_GROUPS).len() {
             let Some((Some(slice), (_, label))) = places.next() else { continue };
             let first = slice * rows * columns;
-            // Pixels of one label follow each other.
+            // Pixels of one label are consecutive.
             let mut last = (0, 0);
             instance.frames.visit(k, &mut |at, value| {
                 let label = label.unwrap_or_else(|| {
@@ -150,10 +150,10 @@ pub fn read_dicom_seg(files: &[&[u8]], limits: &ReadLimits, options: &ReadOption
     Ok(LabelFile { volume, space: InputSpace::Lps, names, notes, warnings: Vec::new() })
 }
 
-/// Whether a file of part 10 is a segmentation, within so many bytes of memory.
+/// Whether a file of part 10 is a segmentation, using at most `n_bytes` of memory.
 pub(super) fn is_segmentation(bytes: &[u8], n_bytes: usize) -> bool {
     let mut inflated = Vec::new();
-    // What is inflated here is looked at once more when it is read.
+    // Bytes inflated here are inflated once more when the file is read.
     let limits = ReadLimits { max_inflated_bytes: bytes.len().saturating_mul(32), ..ReadLimits::default() };
     read_file(bytes, &mut inflated, &limits, &Budget::new(n_bytes)).is_ok_and(|(set, _)| is_class(&set))
 }
@@ -163,13 +163,13 @@ fn of_different(what: &'static str) -> FormatError {
     fault("instances", format!("of different {what}"), advice)
 }
 
-/// A file that is a part of the volume.
+/// A file that forms part of the volume.
 struct Instance<'a> {
     set: DataSet<'a>,
     rows: usize,
     columns: usize,
     frames: Frames<'a>,
-    /// Parts of one concatenation share the numbers of their segments, and thus their owner.
+    /// Owner of the segment numbers, which parts of one concatenation share.
     owner: usize,
 }
 
@@ -184,13 +184,13 @@ impl<'a> Instance<'a> {
             let value = format!("{rows} rows, {columns} columns, {stated} frames, functional groups of {n_frames}");
             return Err(fault("size", value, "each frame needs functional groups; export the segmentation again"));
         }
-        // The list of fragments, and places and numbers of each frame while they are compared.
+        // The list of fragments, and the places and numbers of each frame during the comparison.
         budget.charge(n_frames.saturating_mul(FRAME_BYTES))?;
         let frames = Frames::new(&set, encoding, rows * columns, n_frames, fraction)?;
         Ok(Instance { set, rows, columns, frames, owner: 0 })
     }
 
-    /// Where it belongs among others: by instance number, number in the concatenation, and identifier.
+    /// Sort key among instances: instance number, number in the concatenation, and identifier.
     fn order(&self) -> (u32, u16, String) {
         let number = self.set.text(0x0020_0013).parse().unwrap_or(u32::MAX);
         (number, self.set.short(0x0020_9162).unwrap_or(0), self.set.text(SOP_INSTANCE))
@@ -200,7 +200,7 @@ impl<'a> Instance<'a> {
 /// Labels for the segments of all instances.
 #[derive(Default)]
 struct Numbers {
-    /// Those whose numbers are the same, each once: an identifier may be long, and labels many.
+    /// Owners of numbers, each once: an identifier may be long, and labels many.
     owners: Vec<String>,
     labels: BTreeMap<(usize, u32), u32>,
     taken: BTreeSet<u32>,
@@ -229,7 +229,7 @@ impl Numbers {
     }
 }
 
-/// The functional groups of a frame: its own, and those that it shares.
+/// The functional groups of a frame: its own and the shared ones.
 #[derive(Clone, Copy)]
 struct Groups<'s, 'a> {
     shared: Option<&'s DataSet<'a>>,
@@ -237,7 +237,7 @@ struct Groups<'s, 'a> {
 }
 
 impl Groups<'_, '_> {
-    /// The number of the segment that the frame belongs to.
+    /// The segment number of the frame.
     fn segment(&self) -> Option<u32> {
         let identification = [Some(self.frame), self.shared].map(|set| set?.item(SEGMENT_IDENTIFICATION));
         let number = identification.into_iter().flatten().find_map(|s| s.short(0x0062_000b));
@@ -262,7 +262,7 @@ fn is_class(set: &DataSet<'_>) -> bool {
     ["1.2.840.10008.5.1.4.1.1.66.4", "1.2.840.10008.5.1.4.1.1.66.7"].contains(&set.text(SOP_CLASS).as_str())
 }
 
-/// Refuses DICOM objects other than segmentations, by their names.
+/// Refuses DICOM objects other than segmentations, naming their class.
 fn check_class(set: &DataSet<'_>) -> Result<(), FormatError> {
     if is_class(set) {
         return Ok(());
@@ -284,7 +284,8 @@ fn check_class(set: &DataSet<'_>) -> Result<(), FormatError> {
     Err(FormatError::Unsupported { what, advice })
 }
 
-/// The stack of all frames, or, where they lie on none, of those of the chosen segments, whose labels `is_chosen` knows.
+/// The stack of all frames or, if they lie on none, of the frames of the chosen segments, for whose labels `is_chosen`
+/// holds.
 fn stack_of(
     placed: &[(Groups<'_, '_>, Option<u32>)],
     is_chosen: &dyn Fn(Option<u32>) -> bool,
@@ -323,7 +324,7 @@ fn stack_of(
     Ok(stack)
 }
 
-/// Where the frames lie.
+/// Positions of the frames.
 struct Stack {
     /// Slice of each frame; `None` for frames that are left out.
     place: Vec<Option<usize>>,
@@ -334,7 +335,7 @@ struct Stack {
 
 impl Stack {
     fn new(groups: &[Groups<'_, '_>]) -> Result<Self, FormatError> {
-        // A functional group is shared by all frames, or stated for each.
+        // A functional group is either shared by all frames or stated for each.
         let group = |frame: &Groups<'_, '_>, sequence, tag| frame.numbers(sequence, tag);
         if groups.iter().any(Groups::is_of_slide) {
             return Err(FormatError::Unsupported {
@@ -380,7 +381,7 @@ impl Stack {
         let (between, thickness) = (measured(0x0018_0088), measured(0x0018_0050));
         let nominal = between.or(thickness).unwrap_or(1.0);
         let (first, last) = (order[0], order[order.len() - 1]);
-        // Positions are rounded when they are written, so equal ones differ a little.
+        // Positions are rounded when they are written, so equal positions differ slightly.
         let gaps = order.windows(2).map(|w| depth[w[1]] - depth[w[0]]).filter(|&s| s > PLACE_TOLERANCE * nominal);
         let gaps: Vec<f64> = gaps.collect();
         let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
@@ -389,7 +390,7 @@ impl Stack {
             let slices = (0..depth.len()).map(|frame| slice(step, frame));
             slices.into_iter().find(|s| (s - s.round()).abs() > PLACE_TOLERANCE.max(1e-4 * s.round()))
         };
-        // As stated, else by the frames that are nearest to each other, else by their thickness.
+        // The stated distance, else the smallest distance between frames, else their thickness.
         let measured = [between, Some(least).filter(|s| s.is_finite()), thickness];
         let fitting = measured.iter().flatten().copied().find(|&step| stray(step).is_none());
         let Some(step) = fitting.or(gaps.is_empty().then_some(nominal)) else {
@@ -402,7 +403,7 @@ impl Stack {
         let place: Vec<usize> = (0..depth.len()).map(|frame| slice(step, frame).round() as usize).collect();
         let previous = place[last];
         let n_frames = previous.saturating_add(1);
-        // Frames may be sheared against each other, as with a tilted gantry.
+        // Frames may be sheared against each other, for example with a tilted gantry.
         let along_stack =
             if n_frames > 1 { (positions[last] - positions[first]) / previous as f64 } else { normal * step };
         let mut affine = Matrix4::identity();
@@ -429,7 +430,7 @@ impl Stack {
 enum Kind {
     Binary,
     Fractional {
-        /// Least value of a voxel that belongs to the segment.
+        /// Least value of a voxel in the segment.
         threshold: f64,
     },
     LabelMap,
@@ -439,7 +440,7 @@ enum Kind {
 struct Frames<'a> {
     kind: Kind,
     bits: u16,
-    /// Pixels of a frame.
+    /// Pixels per frame.
     n_pixels: usize,
     frames: FrameData<'a>,
 }
@@ -501,7 +502,7 @@ impl<'a> Frames<'a> {
         Ok(Frames { kind, bits, n_pixels, frames })
     }
 
-    /// Hands every pixel of a frame that belongs to a segment, with its value, to `take`.
+    /// Passes every pixel of a frame that belongs to a segment, with its value, to `take`.
     fn visit(
         &self,
         frame: usize,
@@ -509,7 +510,7 @@ impl<'a> Frames<'a> {
     ) -> Result<(), FormatError> {
         let n = self.n_pixels;
         if let (FrameData::Native(bytes), 1) = (&self.frames, self.bits) {
-            // The lowest bit comes first, and frames follow each other without padding.
+            // The lowest bit comes first, and frames are not padded.
             for pixel in 0..n {
                 let bit = frame * n + pixel;
                 if bytes[bit / 8] >> (bit % 8) & 1 == 1 {

@@ -1,9 +1,9 @@
-//! The number types of binary arrays, and their values as real numbers, whole numbers or labels.
+//! Number types of binary arrays, and their values as real numbers, whole numbers or labels.
 
 use super::FormatError;
 use super::budget::Budget;
 
-/// How far a value may be from an integer and still count as a label: rounding of scaled single-precision values.
+/// Largest distance of a label from an integer: covers the rounding of scaled single-precision values.
 const LABEL_TOLERANCE: f64 = 1e-3;
 
 /// Type of the numbers of an array.
@@ -21,7 +21,7 @@ pub(super) enum Element {
     F64,
 }
 
-/// Order of the bytes of a number.
+/// Byte order of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ByteOrder {
     Little,
@@ -49,7 +49,7 @@ impl Element {
         }
     }
 
-    /// The same as a whole number: reals are truncated, and numbers beyond `i64` become the largest.
+    /// One number as a whole number: reals are truncated, and numbers beyond `i64` saturate.
     fn whole(self, b: [u8; 8]) -> i64 {
         let low = u32::from_le_bytes([b[0], b[1], b[2], b[3]]);
         match self {
@@ -65,12 +65,12 @@ impl Element {
         }
     }
 
-    /// One number as a real number; `raw` has as many bytes as it takes.
+    /// One number as a real number; `raw` has its bytes.
     pub(super) fn real_of(self, raw: &[u8], order: ByteOrder) -> f64 {
         self.real(little(raw, order))
     }
 
-    /// One number as a whole number; `raw` has as many bytes as it takes.
+    /// One number as a whole number; `raw` has its bytes.
     pub(super) fn whole_of(self, raw: &[u8], order: ByteOrder) -> i64 {
         self.whole(little(raw, order))
     }
@@ -80,7 +80,7 @@ impl Element {
         raw.chunks_exact(self.size()).map(|b| self.real(little(b, order))).collect()
     }
 
-    /// The same within a budget.
+    /// [`Element::reals`] within a budget.
     ///
     /// # Errors
     /// `TooLarge` beyond the budget.
@@ -113,11 +113,11 @@ fn little(raw: &[u8], order: ByteOrder) -> [u8; 8] {
     b
 }
 
-/// What follows the part of a file that is read.
+/// The bytes after the part of a file that is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Rest {
     pub(super) n_bytes: usize,
-    /// Whether all of it is zeros, as padding is.
+    /// Whether all of these bytes are zeros, like padding.
     pub(super) is_zero: bool,
 }
 
@@ -139,7 +139,7 @@ pub(super) struct Voxels {
 }
 
 impl Voxels {
-    /// Voxels whose values are the stored numbers.
+    /// Voxels whose stored numbers are their values.
     pub(super) fn plain(dims: [usize; 3], element: Element, order: ByteOrder) -> Self {
         Voxels { dims, element, order, slope: 1.0, intercept: 0.0 }
     }
@@ -152,7 +152,7 @@ impl Voxels {
     /// Bytes of all voxels in the file.
     ///
     /// # Errors
-    /// `TooLarge` if these, or the four bytes in which each label is kept, are more than `limit`.
+    /// `TooLarge` if the stored voxels, or their labels at four bytes each, exceed `limit`.
     pub(super) fn bytes_needed(&self, limit: usize) -> Result<usize, FormatError> {
         let found = self.count().saturating_mul(self.element.size().max(4) as u64);
         if found > limit as u64 {
@@ -161,10 +161,10 @@ impl Voxels {
         Ok(self.count() as usize * self.element.size())
     }
 
-    /// Whether the bytes after those of the voxels may be dropped: they are none, zeros, or fewer than a slice. Else the sizes
-    /// in the header are wrong.
+    /// Checks that the bytes after the voxels may be dropped: there are none, they are zeros, or they are fewer than a
+    /// slice. Otherwise the sizes in the header are wrong.
     ///
-    /// Returns a note where bytes other than zeros are dropped.
+    /// Returns a note if bytes other than zeros are dropped.
     ///
     /// # Errors
     /// `Overlong`.
@@ -177,12 +177,12 @@ impl Voxels {
         }
     }
 
-    /// Bytes of all voxels as they are stored.
+    /// Size of all voxels as stored, bytes.
     pub(super) fn stored(&self) -> usize {
         usize::try_from(self.count().saturating_mul(self.element.size() as u64)).unwrap_or(usize::MAX)
     }
 
-    /// Bytes of all voxels at four bytes each, or at more if they are stored as more: what a volume counts for.
+    /// Declared size of a volume: all voxels at four bytes each, or at more if they are stored as more.
     pub(super) fn declared(&self) -> usize {
         usize::try_from(self.count().saturating_mul(self.element.size().max(4) as u64)).unwrap_or(usize::MAX)
     }
@@ -198,7 +198,7 @@ impl Voxels {
         let mut previous: Option<(&[u8], u32)> = None;
         for voxel in raw.chunks_exact(size) {
             let label = match previous {
-                // Neighboring voxels mostly have the same label.
+                // Neighboring voxels usually have the same label.
                 Some((same, label)) if same == voxel => label,
                 _ => {
                     let value = self.element.real(little(voxel, self.order)) * self.slope + self.intercept;
@@ -211,7 +211,7 @@ impl Voxels {
         Ok(labels)
     }
 
-    /// The label that a value at position `at` means.
+    /// The label for the value at position `at`.
     pub(super) fn label(&self, value: f64, at: usize) -> Result<u32, FormatError> {
         let whole = value.round();
         if (value - whole).abs() <= LABEL_TOLERANCE && (0.0..=f64::from(u32::MAX)).contains(&whole) {

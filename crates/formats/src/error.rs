@@ -1,28 +1,29 @@
-//! Why a file cannot be read: what is wrong, where, and what to do about it.
+//! Errors of reading files: the fault, its position, and a remedy.
 
 use homolog_mesh::MeshError;
 use homolog_mesh::volume::VolumeError;
 
-/// Why a file cannot be read. Messages hold positions and numbers, never text of the file, which may name a patient.
+/// Reasons why a file cannot be read. Messages contain positions and numbers, never text of the file, which may name a
+/// patient.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FormatError {
     /// No bytes.
     #[error("the file is empty; export it again, or repeat the upload")]
     Empty,
-    /// None of the supported formats.
+    /// None of the supported formats matches.
     #[error(
         "the file format is not recognized; convert surfaces to GIFTI, PLY, STL, VTK, VTP, OBJ, OFF, MZ3 or \
          FreeSurfer, label volumes to NIfTI, MGZ, NRRD, MetaImage or DICOM SEG"
     )]
     UnknownFormat,
-    /// A limit on size is exceeded.
+    /// A size limit is exceeded.
     #[error("the file has {found} {what}, but at most {limit} are accepted; send a smaller one")]
     TooLarge {
-        /// What is counted, plural.
+        /// The counted items, plural.
         what: &'static str,
-        /// How many there are, at least.
+        /// Number found, at least.
         found: u64,
-        /// How many are accepted.
+        /// Number accepted.
         limit: u64,
     },
     /// The compressed stream is damaged or incomplete.
@@ -30,63 +31,63 @@ pub enum FormatError {
         "the gzip stream {fault} (after {n_bytes} inflated bytes); compress the file again, or repeat the transfer that cut it off"
     )]
     Gzip {
-        /// What is wrong with it.
+        /// The fault.
         fault: GzipFault,
-        /// Bytes inflated before the fault was found.
+        /// Number of bytes inflated before the fault.
         n_bytes: usize,
     },
     /// The zip archive is damaged or incomplete.
     #[error("the zip archive {what}; pack it again, or repeat the upload")]
     Zip {
-        /// What is wrong with it.
+        /// The fault.
         what: &'static str,
     },
-    /// The file is shorter than its header says.
+    /// The file is shorter than its header states.
     #[error(
         "{part} needs {needed} bytes, but only {available} are left; the file is truncated or its header is wrong, so export \
          it again or repeat the upload"
     )]
     Truncated {
-        /// Which part.
+        /// The incomplete part.
         part: &'static str,
-        /// Bytes it needs.
+        /// Bytes required.
         needed: u64,
-        /// Bytes there are.
+        /// Bytes available.
         available: u64,
     },
-    /// A count of the header disagrees with what the file holds.
+    /// A count in the header disagrees with the content of the file.
     #[error(
         "the header states {stated} {what}, but the file holds {found}; one of the two is wrong, so that a part would be lost: \
          export the file again or repeat the upload"
     )]
     CountMismatch {
-        /// What is counted, plural.
+        /// The counted items, plural.
         what: &'static str,
-        /// How many the header states.
+        /// Number stated in the header.
         stated: u64,
-        /// How many there are, by the length of the file.
+        /// Number according to the length of the file.
         found: u64,
     },
-    /// The file goes on after everything that its header states.
+    /// The file continues after everything that its header states.
     #[error(
         "the header states {stated} bytes of {what}, but {found} bytes are there, and those beyond are not empty; the sizes in \
          the header are wrong, or the file holds something else too: export it again"
     )]
     Overlong {
-        /// What the header describes.
+        /// The part that the header describes.
         what: &'static str,
         /// Bytes that the header states.
         stated: u64,
-        /// Bytes that are there.
+        /// Bytes found.
         found: u64,
     },
-    /// Only the name of the file says which format it has, and the content is not of it.
+    /// The name of the file is the only evidence of a format, and the content does not have it.
     #[error(
         "the name promises {promised}, but the content is neither that nor another format that can be read; export it again, or \
          repeat the download that it comes from"
     )]
     NotAsNamed {
-        /// The format that the name promises.
+        /// The format that the name indicates.
         promised: &'static str,
     },
     /// A line of text does not follow the format.
@@ -94,25 +95,25 @@ pub enum FormatError {
     Syntax {
         /// The line, from 1.
         line: usize,
-        /// What should be there.
+        /// The expected content.
         expected: &'static str,
     },
     /// A header field has an invalid value.
     #[error("the header's {field} is {value}; {advice}")]
     Header {
-        /// Which field.
+        /// The field.
         field: &'static str,
         /// Its value, a number or a list of numbers.
         value: String,
-        /// What would be right.
+        /// The remedy.
         advice: &'static str,
     },
-    /// A variant of the format that is not supported.
+    /// An unsupported variant of the format.
     #[error("{what} is not supported; {advice}")]
     Unsupported {
-        /// Which variant.
+        /// The variant.
         what: &'static str,
-        /// What to do.
+        /// The remedy.
         advice: &'static str,
     },
     /// The value of a voxel is not a label.
@@ -132,13 +133,13 @@ pub enum FormatError {
     NegativeIndex {
         /// Index of the face.
         face: usize,
-        /// The index that it refers to.
+        /// The negative index.
         vertex: i64,
     },
     /// The parser of the format rejected the data.
     #[error("the data of the {format} file are damaged{}; export the file again", line.map(|l| format!(" at line {l}")).unwrap_or_default())]
     Payload {
-        /// Which format.
+        /// The format.
         format: &'static str,
         /// The line, from 1, of text files.
         line: Option<usize>,
@@ -151,19 +152,19 @@ pub enum FormatError {
     Volume(#[from] VolumeError),
 }
 
-/// What is wrong with a gzip stream. It reads as the predicate of "the gzip stream".
+/// Fault of a gzip stream, worded as the predicate of "the gzip stream".
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum GzipFault {
     /// The header of a member has a compression method or flags that RFC 1952 does not define, or a wrong checksum.
     #[error("is damaged: the header of a member is not valid")]
     Header,
-    /// The bytes between header and trailer are no deflate stream.
+    /// The bytes between header and trailer are not a deflate stream.
     #[error("is damaged: its compressed data are not valid")]
     Data,
-    /// The CRC-32 in the trailer is not that of the inflated bytes.
+    /// The CRC-32 in the trailer does not match the inflated bytes.
     #[error("is damaged: its checksum does not match")]
     Checksum,
-    /// The length in the trailer is not that of the inflated bytes.
+    /// The length in the trailer does not match the inflated bytes.
     #[error("is damaged: its length does not match")]
     Length,
     /// The stream ends within the header of a member.

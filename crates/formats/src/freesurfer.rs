@@ -1,9 +1,10 @@
 //! FreeSurfer surfaces (`lh.pial`, `rh.white`, ...): binary triangles, both kinds of binary quads, and ASCII (`.asc`).
 //!
-//! Source: FreeSurfer's `mrisurf_io` and the description of its file formats. Binary files are big-endian; what follows the
-//! faces (the geometry of the volume, the command line) is not read, unless it is further faces: then the count is wrong. Coordinates stay as they are: FreeSurfer's surface RAS
-//! ("tkregister"), whose origin is the center of the conformed volume. The quads of the old format are split as FreeSurfer
-//! splits them, by the parity of their first vertex.
+//! Source: FreeSurfer's `mrisurf_io` and the description of its file formats. Binary files are big-endian. The part
+//! after the faces (the geometry of the volume, the command line) is not read, unless it consists of further faces:
+//! then the count is wrong. Coordinates are kept in FreeSurfer's surface RAS ("tkregister"), whose origin is the center
+//! of the conformed volume. The quads of the old format are split as in FreeSurfer, by the parity of their first
+//! vertex.
 
 use super::budget::Budget;
 use super::element::{ByteOrder, Element};
@@ -13,25 +14,25 @@ use super::{FormatError, ReadLimits};
 use nalgebra::Point3;
 
 const TRIANGLES: [u8; 3] = [0xff, 0xff, 0xfe];
-/// Quads with coordinates in hundredths of a millimetre.
+/// Quads with coordinates in hundredths of a millimeter.
 const QUADS: [u8; 3] = [0xff, 0xff, 0xff];
 /// Quads with coordinates in single precision.
 const NEW_QUADS: [u8; 3] = [0xff, 0xff, 0xfd];
 const ASCII: &[u8] = b"#!ascii";
 
-/// Begin of a list of vertices of a surface, which is no surface.
+/// Start of a list of vertices of a surface, which is not a surface.
 const LABEL: &[u8] = b"#!ascii label";
-/// Most bytes of the lines that say who made a file and when.
+/// Largest size of the lines that name the creator and date of a file, bytes.
 const STAMP_BYTES: usize = 4096;
 
-/// Whether this is a label of FreeSurfer: a list of vertices of a surface.
+/// Whether `bytes` are a label of FreeSurfer: a list of vertices of a surface.
 pub(super) fn is_label(bytes: &[u8]) -> bool {
     bytes.starts_with(LABEL)
 }
 
-/// Whether these are the first bytes of a surface.
+/// Whether `bytes` begin like a surface.
 pub(super) fn is_freesurfer(bytes: &[u8]) -> bool {
-    // A patch begins with four such bytes; no surface has as many vertices as its fourth would then mean.
+    // A patch begins with four such bytes; as part of a vertex count the fourth would exceed every surface.
     let is_patch = bytes.starts_with(&[0xff; 4]);
     let is_binary = [&TRIANGLES, &QUADS, &NEW_QUADS].iter().any(|magic| bytes.starts_with(*magic));
     is_binary && !is_patch || bytes.starts_with(ASCII) && !is_label(bytes)
@@ -72,8 +73,8 @@ pub fn read_freesurfer(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, Fo
     Ok(file)
 }
 
-/// Whether this is a file of values in the newer format, which begins like the old quads: three counts of four bytes each
-/// and one number for each vertex and value.
+/// Whether `bytes` are a file of values in the newer format, which begins like the old quads: three counts of four
+/// bytes each and one number for each vertex and value.
 fn is_curvature(bytes: &[u8]) -> bool {
     let mut scanner = Scanner::new(bytes.get(3..).unwrap_or_default());
     let Ok(counts) = scanner.take(3, 4, "the counts") else { return false };
@@ -106,17 +107,17 @@ fn triangles<'b>(bytes: &[u8], limits: &ReadLimits, budget: &'b Budget) -> Resul
     Ok(polygons)
 }
 
-/// Whether this is what FreeSurfer writes after the faces: tags, of which some have a length and others are known.
+/// Whether `rest` is FreeSurfer's trailer: tags, some of which have a length and others are known.
 fn are_tags(mut rest: &[u8]) -> bool {
     const REAL_RAS: i64 = 2;
     const GEOMETRY: i64 = 20;
     loop {
-        // Less than a tag is padding.
+        // Fewer bytes than a tag are padding.
         let Some(tag) = rest.get(..4) else { return true };
         let tag = Element::I32.whole_of(tag, ByteOrder::Big);
         let begin = match tag {
             REAL_RAS => 8,
-            // Text, which further tags may follow.
+            // Text; further tags may follow.
             GEOMETRY => return rest[4..].iter().take(64).all(|byte| (b' '..0x7f).contains(byte) || *byte == b'\n'),
             1..1000 => 12,
             _ => return rest.iter().all(|&byte| byte == 0),
@@ -140,9 +141,9 @@ fn checked_counts(counts: [i64; 2]) -> Result<[u64; 2], FormatError> {
     })
 }
 
-/// What follows the free text that says who made the file and when. FreeSurfer writes a line and an empty one, and skips all
-/// white space after the first line when it reads; others take exactly two lines, of which the second may hold text. The
-/// first of these places after which the counts fit the length of the file is taken.
+/// The position after the free text that names the creator and date. FreeSurfer writes a line and an empty one, and
+/// skips all white space after the first line when it reads; other programs take exactly two lines, and the second may
+/// hold text. The first of these positions at which the counts fit the length of the file is chosen.
 fn after_stamp(bytes: &[u8]) -> Result<Scanner<'_>, FormatError> {
     let mut first = Scanner::new(bytes);
     first.line();
@@ -207,8 +208,8 @@ fn quads<'b>(
     Ok(polygons)
 }
 
-/// A comment, the two counts, then a line for each vertex (three coordinates) and each face (three indices), each with a
-/// further number that says whether it belongs to a patch.
+/// A comment, the two counts, then a line for each vertex (three coordinates) and each face (three indices), each with
+/// a further number that marks patches.
 fn ascii<'b>(
     bytes: &[u8],
     limits: &ReadLimits,

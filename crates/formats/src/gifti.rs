@@ -3,15 +3,15 @@
 //! Source: "GIFTI Surface Data Format", version 1.0 (Geometry Data Format Working Group, 2011). `GZipBase64Binary` is,
 //! despite its name, a zlib stream.
 //!
-//! **Names.** Attributes are read as the standard writes them (`Base64Binary`), as the C library names its constants
-//! (`GIFTI_ENCODING_B64BIN`) and, for intents and types, as their numbers in NIfTI; the case of letters does not matter.
+//! **Names.** Attributes are read in the spelling of the standard (`Base64Binary`), as constants of the C library
+//! (`GIFTI_ENCODING_B64BIN`) and, for intents and types, as numbers of NIfTI; case is ignored.
 //!
 //! **Coordinates.** A pointset may have a `CoordinateSystemTransformMatrix`. The standard defines the stored numbers as
-//! coordinates in `DataSpace`, and the matrix as the map from there to `TransformedSpace`. A rigid matrix is applied on reading,
-//! so that surfaces are in the space that the file names as its goal, and the report says so. Another one, such as the affine map
-//! to Talairach coordinates that FreeSurfer writes, would change shape and size: it is applied only if that is asked for, and
-//! the report says what it is. Of several matrices the first counts. FreeSurfer's geometry of the volume (`VolGeom...` in the
-//! metadata) is not applied.
+//! coordinates in `DataSpace`, and the matrix as the map from there to `TransformedSpace`. A rigid matrix is applied on
+//! reading, so that surfaces are in the file's target space, and the report says so. Other matrices, such as
+//! FreeSurfer's affine map to Talairach coordinates, would change shape and size: they are applied only on request, and
+//! the report describes them. The first of several matrices counts. FreeSurfer's geometry of the volume (`VolGeom...`
+//! in the metadata) is not applied.
 //!
 //! **Writing.** The format has triangles and three number types, so quads are split along their first diagonal and real
 //! numbers are written in single precision.
@@ -32,8 +32,8 @@ use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3, Vector3};
 use std::io::Write;
 
-/// Reads a mesh of triangles. `apply_transform` says whether the coordinate transform of the file is applied; `None`: if it is
-/// rigid.
+/// Reads a mesh of triangles. `apply_transform` selects whether to apply the coordinate transform of the file; `None`
+/// applies rigid ones.
 ///
 /// # Errors
 /// [`FormatError`]; files without a surface (`.func.gii`, `.label.gii`), with several, and with data in another file are
@@ -44,7 +44,7 @@ use std::io::Write;
 pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<bool>) -> Result<MeshFile, FormatError> {
     let budget = Budget::of(limits);
     let mut xml = Xml::new(bytes, "GIFTI");
-    // Names of the open elements.
+    // Names of the currently open elements.
     let mut open: Vec<String> = Vec::new();
     let mut array: Option<StoredArray> = None;
     let (mut points, mut triangles) = (None, None);
@@ -109,7 +109,7 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<boo
     if let Some(matrix) = note {
         let outcome = matrix.apply(&mut polygons.vertices, apply_transform)?;
         let named = match outcome {
-            // Where the matrix is the identity, both spaces are the same.
+            // If the matrix is the identity, both spaces are the same.
             Applied::Identity => &matrix.spaces[..],
             Applied::Yes => &matrix.spaces[1..],
             Applied::No(_) | Applied::Invalid => &matrix.spaces[..1],
@@ -128,7 +128,7 @@ pub fn read_gifti(bytes: &[u8], limits: &ReadLimits, apply_transform: Option<boo
     Ok(file)
 }
 
-/// What an array of a surface is.
+/// Role of an array in a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Intent {
     Points,
@@ -145,13 +145,13 @@ impl Intent {
     }
 }
 
-/// The value of an attribute that names a constant, in upper case and without the prefix of constants of its kind.
+/// The value of an attribute that names a constant, in upper case, without the prefix of its kind of constants.
 fn constant(tag: &Tag, name: &str, prefix: &str) -> String {
     let value = tag.get(name).to_ascii_uppercase();
     value.strip_prefix(prefix).map_or_else(|| value.clone(), str::to_owned)
 }
 
-/// A data array before its text is decoded.
+/// A data array with undecoded text.
 struct StoredArray {
     intent: Intent,
     element: Element,
@@ -241,12 +241,12 @@ impl StoredArray {
         let part = if self.intent == Intent::Points { "the pointset" } else { "the list of triangles" };
         let what = if self.intent == Intent::Points { "coordinates" } else { "vertex indices of triangles" };
         let numbers = if self.encoding == ArrayEncoding::Ascii {
-            // One more than there should be tells that there are too many.
+            // Reading one more number than expected detects a surplus.
             budget.collect(words(&self.text).take(n + 1).map(|word| real(word).ok_or_else(|| xml.damaged())))?
         } else {
             let raw = base64(&self.text, budget)?.ok_or_else(|| xml.damaged())?;
             let raw = match self.encoding {
-                // Enough to tell that there is too much.
+                // Enough bytes to detect a surplus.
                 ArrayEncoding::Zlib => {
                     let most = bytes.saturating_mul(2);
                     inflate_up_to(&raw, most, bytes, budget)?.ok_or_else(|| xml.damaged())?
@@ -276,27 +276,28 @@ impl StoredArray {
 /// A `CoordinateSystemTransformMatrix` as text.
 #[derive(Default)]
 struct StoredMatrix {
-    /// From which space to which.
+    /// Source and target space.
     spaces: [Vec<u8>; 2],
     numbers: Vec<u8>,
 }
 
-/// How far the scales of a rigid matrix may be from 1: text with four decimals, as most programs write it, is no nearer.
+/// Largest deviation of the scales of a rigid matrix from 1: most programs write text with four decimals, which is no
+/// closer.
 const RIGID_TOLERANCE: f64 = 1e-3;
 
-/// What was done with the matrix of a file.
+/// Treatment of the matrix of a file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Applied {
     Identity,
     Yes,
-    /// The least and the largest factor by which it changes lengths.
+    /// Not applied; the smallest and the largest factor by which it changes lengths.
     No([f64; 2]),
-    /// It is none.
+    /// Not an affine matrix.
     Invalid,
 }
 
 impl StoredMatrix {
-    /// Maps the points, unless the matrix is the identity, or is not rigid and that is not asked for.
+    /// Maps the points, unless the matrix is the identity, or is not rigid and was not requested.
     fn apply(&self, points: &mut [Point3<f64>], asked: Option<bool>) -> Result<Applied, FormatError> {
         let numbers: Vec<f64> = words(&self.numbers).filter_map(real).filter(|v| v.is_finite()).collect();
         let matrix = if numbers.is_empty() { Matrix4::identity() } else { Matrix4::zeros() };
@@ -320,7 +321,7 @@ impl StoredMatrix {
         Ok(Applied::Yes)
     }
 
-    /// A sentence about what was done.
+    /// A sentence on the treatment.
     fn note(&self, outcome: Applied) -> Option<String> {
         let [from, to] = [0, 1].map(|k| space_name(&self.spaces[k]));
         match outcome {
@@ -352,7 +353,7 @@ fn space_name(text: &[u8]) -> &'static str {
 
 /// The surface, then the arrays, each under its name. Vertices keep their indices.
 ///
-/// The coordinate system is declared as unknown: coordinates are those of the input, unchanged, in millimetres.
+/// The coordinate system is declared as unknown: coordinates are the unchanged input coordinates, in millimeters.
 pub fn write_gifti(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut text = header(2 + arrays.len());
@@ -373,7 +374,7 @@ pub fn write_gifti(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// Arrays alone, as a `.shape.gii` that belongs to a surface of another file.
+/// Arrays without a surface, as a `.shape.gii` for a surface in another file.
 pub fn write_gifti_shape(arrays: &[VertexArray]) -> Vec<u8> {
     let mut text = header(arrays.len());
     for VertexArray { name, values } in arrays {
@@ -384,7 +385,7 @@ pub fn write_gifti_shape(arrays: &[VertexArray]) -> Vec<u8> {
     text.into_bytes()
 }
 
-/// What precedes the arrays of a file.
+/// The part of a file before the arrays.
 fn header(n_arrays: usize) -> String {
     format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
@@ -405,7 +406,7 @@ fn encoded(values: &VertexValues) -> (&'static str, Vec<u8>) {
 struct DataArray {
     intent: &'static str,
     kind: &'static str,
-    /// Rows and columns; one column is written as one dimension.
+    /// Rows and columns; a single column is written as one dimension.
     dims: [usize; 2],
     name: Option<&'static str>,
 }

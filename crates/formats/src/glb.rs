@@ -1,8 +1,8 @@
-//! glTF 2.0 binary (`.glb`): surfaces with colors, for browsers, Blender, PowerPoint and the like. Written by hand: the crates
-//! that exist read files, or describe their JSON alone.
+//! glTF 2.0 binary (`.glb`): surfaces with colors, for browsers, Blender, PowerPoint and other programs. Hand-written:
+//! existing crates only read files or only describe their JSON.
 //!
-//! Source: Khronos Group, glTF 2.0 specification. Its unit is the metre and its `y` axis points up; a node turns and scales
-//! millimetres with `z` up (superior). Positions have single precision, relative to nothing.
+//! Source: Khronos Group, glTF 2.0 specification. Its unit is the meter and its `y` axis points up; a node rotates and
+//! scales millimeters with `z` up (superior). Positions are stored in single precision, without an offset.
 
 use homolog_mesh::SurfaceMesh;
 use std::fmt::Write;
@@ -14,7 +14,7 @@ pub struct ColoredSurface<'a> {
     pub name: &'static str,
     /// The surface, mm; quads are split.
     pub mesh: &'a SurfaceMesh,
-    /// Red, green and blue (sRGB) of each vertex, one after the other; white where there are none.
+    /// Red, green and blue (sRGB) of each vertex, one after the other; empty for white.
     pub colors: &'a [u8],
 }
 
@@ -60,7 +60,7 @@ impl Scene {
         let limits =
             format!(",\"min\":{},\"max\":{}", bounds(f32::min, f32::INFINITY), bounds(f32::max, f32::NEG_INFINITY));
         let bytes = |numbers: &[[f32; 3]]| numbers.iter().flatten().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
-        // Vertices without area have no normal; glTF asks for unit vectors.
+        // Vertices without area have no normal; glTF requires unit vectors.
         let unit = |v: &nalgebra::Vector3<f64>| {
             if v.norm() > 0.5 { [v.x as f32, v.y as f32, v.z as f32] } else { [0.0, 0.0, 1.0] }
         };
@@ -105,10 +105,10 @@ impl Scene {
     fn file(self) -> Vec<u8> {
         let Scene { binary, views, accessors, meshes, nodes } = self;
         let children: Vec<String> = (1..=nodes.len()).map(|k| k.to_string()).collect();
-        // A quarter turn about x takes z up to y up.
+        // A quarter turn about x maps z up to y up.
         let mut json = format!(
             "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"homolog\"}},\"scene\":0,\"scenes\":[{{\"nodes\":[0]}}],\
-             \"nodes\":[{{\"name\":\"millimetres_RAS\",\"rotation\":[-0.7071067811865476,0,0,0.7071067811865476],\
+             \"nodes\":[{{\"name\":\"millimeters_RAS\",\"rotation\":[-0.7071067811865476,0,0,0.7071067811865476],\
              \"scale\":[0.001,0.001,0.001],\"children\":[{}]}},{}],\"meshes\":[{}],\
              \"materials\":[{{\"doubleSided\":true,\"pbrMetallicRoughness\":{{\"metallicFactor\":0,\"roughnessFactor\":0.9}}}}],\
              \"accessors\":[{}],\"bufferViews\":[{}],\"buffers\":[{{\"byteLength\":{}}}]}}",
@@ -135,7 +135,7 @@ impl Scene {
     }
 }
 
-/// A component of sRGB as a linear one, in which glTF has the colors of vertices.
+/// A component of sRGB as a linear one, the color space of vertices in glTF.
 fn linear(component: u8) -> u8 {
     let share = f64::from(component) / 255.0;
     let linear = if share <= 0.04045 { share / 12.92 } else { ((share + 0.055) / 1.055).powf(2.4) };

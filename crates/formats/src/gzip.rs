@@ -1,11 +1,12 @@
-//! Decompressing gzip under a hard cap, with every checksum verified.
+//! Decompresses gzip under a hard cap and verifies every checksum.
 //!
 //! Source: RFC 1952. A file is a sequence of members (one from `gzip`, many from `bgzip` or `cat a.gz b.gz`), each a
-//! header, a deflate stream and a trailer with the CRC-32 and the length of what was compressed. Only the trailer tells
-//! a whole file from a damaged or truncated one, so [`inflate`] and [`inflate_prefix`] always read to the last trailer.
+//! header, a deflate stream and a trailer with the CRC-32 and the length of the uncompressed data. Only the trailer
+//! distinguishes a complete file from a damaged or truncated one, so [`inflate`] and [`inflate_prefix`] always read to
+//! the last trailer.
 //!
-//! Zero bytes after the last member are padding, as for `gzip` and Python. Anything else there is refused: it is either
-//! a member whose header is damaged, or not part of what was compressed.
+//! Zero bytes after the last member are padding, as for `gzip` and Python. Any other bytes there are refused: they are
+//! either a member with a damaged header, or not part of the compressed data.
 
 use super::budget::Budget;
 use super::element::Rest;
@@ -19,22 +20,22 @@ const MAGIC: [u8; 2] = [0x1f, 0x8b];
 const HEADER_BYTES: usize = 10;
 const TRAILER_BYTES: usize = 8;
 
-/// Whether `bytes` begin as a gzip stream does.
+/// Whether `bytes` begin like a gzip stream.
 pub(super) fn is_gzip(bytes: &[u8]) -> bool {
     bytes.starts_with(&MAGIC)
 }
 
-/// `bytes` decompressed if they are a gzip stream, else as they are.
+/// Decompresses `bytes` if they are a gzip stream; returns other bytes unchanged.
 ///
 /// # Errors
-/// `TooLarge` beyond `limit` bytes (found after inflating little more than that) or beyond the budget, `Gzip` if the stream is
+/// `TooLarge` beyond `limit` bytes (detected after inflating little more) or beyond the budget, `Gzip` if the stream is
 /// damaged.
 pub(super) fn inflate<'a>(bytes: &'a [u8], limit: usize, budget: &Budget) -> Result<Plain<'a>, FormatError> {
     if !is_gzip(bytes) {
         let found = bytes.len();
         return if found > limit { Err(too_large(found, limit)) } else { Ok(Cow::Borrowed(bytes)) };
     }
-    // The last bytes state the length; they decide nothing but how often memory is moved.
+    // The last bytes state the length; they only affect how often memory is moved.
     let stated = bytes.last_chunk::<4>().map_or(0, |b| u32::from_le_bytes(*b) as usize);
     let mut plain = budget.for_inflated(bytes.len(), stated.min(limit))?;
     let end = inflate_members(bytes, |piece| {
@@ -48,7 +49,8 @@ pub(super) fn inflate<'a>(bytes: &'a [u8], limit: usize, budget: &Budget) -> Res
     Ok(Cow::Owned(plain))
 }
 
-/// A gzip stream inside a file, of which `expected` bytes are used, decompressed, and whether bytes other than zeros follow it.
+/// Decompresses a gzip stream inside a file, of which `expected` bytes are used; also returns whether nonzero bytes
+/// follow it.
 ///
 /// # Errors
 /// `TooLarge` beyond `limit` bytes or beyond the budget, `Gzip` if the stream is damaged.
@@ -73,8 +75,8 @@ pub(super) fn inflate_embedded(
     }
 }
 
-/// The first `n` bytes after decompression, or as many as there are, and what follows them. The rest of a gzip stream is
-/// inflated too, up to `limit` bytes in all, and dropped: its trailer decides whether those first bytes are what was compressed.
+/// The first `n` bytes after decompression, or as many as there are, and a summary of the rest. The rest of a gzip
+/// stream is inflated too, up to `limit` bytes in all, and dropped: only its trailer confirms the first bytes.
 ///
 /// # Errors
 /// `TooLarge` if a gzip stream inflates to more than `limit` bytes, `Gzip` if it is damaged.
@@ -101,11 +103,11 @@ pub(super) fn inflate_prefix<'a>(
     Ok((Cow::Owned(kept), Rest { n_bytes, is_zero }))
 }
 
-/// The first `n` bytes after decompression, or as many as there are, for a look at the header: nothing after them is
+/// The first `n` bytes after decompression, or as many as there are, for inspecting the header. Nothing after them is
 /// read, so the checksum is **not** verified.
 ///
 /// # Errors
-/// `Gzip` if the stream is damaged before that.
+/// `Gzip` if the stream is damaged within these bytes.
 pub(super) fn unverified_prefix(bytes: &[u8], n: usize) -> Result<Plain<'_>, FormatError> {
     if !is_gzip(bytes) {
         return Ok(Cow::Borrowed(&bytes[..n.min(bytes.len())]));
@@ -122,7 +124,8 @@ fn too_large(found: usize, limit: usize) -> FormatError {
     FormatError::TooLarge { what: "bytes", found: found as u64, limit: limit as u64 }
 }
 
-/// Hands the inflated bytes to `take` piece by piece, in order, until it breaks or fails, or every member has been verified.
+/// Passes the inflated bytes to `take` piece by piece, in order, until it breaks or fails, or every member has been
+/// verified.
 fn inflate_members(
     mut rest: &[u8],
     mut take: impl FnMut(&[u8]) -> Result<ControlFlow<()>, FormatError>,
@@ -148,7 +151,7 @@ fn inflate_members(
             if status == Status::StreamEnd {
                 break;
             }
-            // The buffer has room, so whatever makes no progress lacks input.
+            // The buffer has room, so a lack of progress means missing input.
             if piece.is_empty() && deflate.total_in() == read {
                 return Err(fault(GzipFault::EndsInData, n_bytes));
             }
@@ -173,7 +176,7 @@ fn inflate_members(
     }
 }
 
-/// What follows the header of a member.
+/// The bytes after the header of a member.
 fn after_header(bytes: &[u8]) -> Result<&[u8], GzipFault> {
     const DEFLATE: u8 = 8;
     const CHECKSUM: u8 = 0x02;

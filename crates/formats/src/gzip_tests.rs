@@ -11,7 +11,7 @@ use std::io::{Read, Write};
 
 const TRAILER_BYTES: usize = 8;
 
-/// A budget that no test spends.
+/// A budget that no test exhausts.
 fn ample() -> Budget {
     Budget::new(1 << 30)
 }
@@ -180,7 +180,7 @@ proptest! {
         };
         let mut stream: Vec<u8> = pieces.iter().flat_map(member).collect();
         if let Some((at, value)) = flip {
-            // The two magic bytes stay, else it is no gzip stream.
+            // The two magic bytes are kept; otherwise it is not a gzip stream.
             let at = 2 + at.index(stream.len() - 2);
             stream[at] ^= value;
         }

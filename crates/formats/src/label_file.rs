@@ -1,4 +1,4 @@
-//! The label volume of a file, with the names of its labels; structures that overlap share voxels.
+//! The label volume of a file, with the names of its labels; overlapping structures share voxels.
 
 use super::FormatError;
 use super::budget::Budget;
@@ -12,13 +12,13 @@ use std::collections::{BTreeMap, HashMap};
 pub struct LabelFile {
     /// The volume, in RAS.
     pub volume: LabelVolume,
-    /// The space of coordinates that the file declares.
+    /// The coordinate space declared by the file.
     pub space: InputSpace,
-    /// Names of labels, for formats that have them, as the file gives them.
+    /// Names of labels as given in the file, for formats with names.
     pub names: BTreeMap<u32, String>,
-    /// What was done to the coordinates or values: a sentence each, without text of the file.
+    /// Changes of coordinates or values: a sentence each, without text of the file.
     pub notes: Vec<String>,
-    /// What the file contradicts itself in, so that what is made of it is in doubt.
+    /// Contradictions within the file that put the resulting volume in doubt.
     pub warnings: Vec<InputWarning>,
 }
 
@@ -30,25 +30,25 @@ impl LabelFile {
     }
 }
 
-/// Most structures that may share a voxel, and most different sets of them: bounds on the memory for overlaps.
+/// Largest number of structures that share a voxel, and of different sets of them: these bound the memory for overlaps.
 const MAX_SET: usize = 64;
 const MAX_SETS: usize = 1 << 14;
 
-/// Labels to which structures are added one by one. A voxel of several gets a value that stands for their set.
+/// Labels to which structures are added one by one. A voxel with several labels gets a value that stands for their set.
 #[derive(Debug)]
 pub(super) struct Overlay<'b> {
     labels: Vec<u32>,
     /// The value of a set.
     values: HashMap<Vec<u32>, u32>,
-    /// The labels that a value stands for.
+    /// The labels for which a value stands.
     sets: BTreeMap<u32, Vec<u32>>,
-    /// The value for a value and one further label.
+    /// The value for the set of a value and one further label.
     joined: HashMap<(u32, u32), u32>,
     budget: &'b Budget,
 }
 
 impl<'b> Overlay<'b> {
-    /// No structures.
+    /// An empty set of structures.
     ///
     /// # Errors
     /// `TooLarge` beyond the budget.
@@ -76,7 +76,7 @@ impl<'b> Overlay<'b> {
     }
 
     fn join(&mut self, before: u32, label: u32) -> Result<u32, FormatError> {
-        // An entry of a table that grows, and the labels of a set, twice.
+        // The size of a growing table's entry, and of the labels of a set, twice.
         const ENTRY_BYTES: usize = 48;
         self.budget.charge(ENTRY_BYTES)?;
         let mut set = self.sets.get(&before).cloned().unwrap_or_else(|| vec![before]);
@@ -85,7 +85,7 @@ impl<'b> Overlay<'b> {
         } else {
             set.push(label);
             self.budget.charge(4 * ENTRY_BYTES + 2 * size_of_val(set.as_slice()))?;
-            // The same set may be reached in another order.
+            // The same set may be reached in a different order.
             set.sort_unstable();
             let next = u32::MAX - self.sets.len() as u32;
             let value = *self.values.entry(set.clone()).or_insert(next);

@@ -1,11 +1,12 @@
 //! Readers and writers of meshes and label volumes, one module per format, and writers of the results of a match: pairs of
 //! vertices as tables ([`npy`], [`arrow`]), per-vertex values with their mesh, and transforms ([`transform`]).
 //!
-//! Input is untrusted. Readers take the whole file as a slice, and [`ReadLimits`]; counts in a header are checked against
-//! the length of the file before anything is allocated, and every list that grows with the content is charged to a budget of
-//! memory (`budget`), so a small file cannot cause a large allocation or a long computation, whatever it inflates to. Compressed files are decompressed to their end, and every checksum is verified. [`read`] detects the format
-//! from the bytes and uses the file's name only where they do not decide. Errors carry positions (lines, vertices,
-//! voxels), never text of the file, which may name a patient.
+//! Input is untrusted. Readers take the whole file as a slice, and [`ReadLimits`]. Counts in a header are checked
+//! against the length of the file before anything is allocated, and every list that grows with the content is charged
+//! to a memory budget (`budget`), so a small file cannot cause a large allocation or a long computation, whatever it
+//! inflates to. Compressed files are decompressed to their end, and every checksum is verified. [`read`] detects the
+//! format from the bytes and uses the file's name only where they do not decide. Errors carry positions (lines,
+//! vertices, voxels), never text of the file, which may name a patient.
 
 mod archive;
 mod budget;
@@ -72,21 +73,21 @@ use homolog_mesh::volume::LabelVolume;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Bounds on the size of what is read.
+/// Limits on the size of files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ReadLimits {
-    /// Largest size after decompression, bytes; also the most memory that the labels of a volume may take.
+    /// Largest size after decompression, bytes; also the largest memory for the labels of a volume.
     pub max_inflated_bytes: usize,
-    /// Largest size after decompression, as a multiple of what was received, above a mebibyte.
+    /// Largest inflation above one mebibyte, as a multiple of the received bytes.
     pub max_inflation: usize,
-    /// Most vertices of a mesh.
+    /// Largest number of vertices of a mesh.
     pub max_vertices: usize,
-    /// Most memory that reading may take beside the voxels that a header declares, bytes. [`read_with`] takes less: 64 times what was
-    /// received, and 16 MiB.
+    /// Largest memory for reading besides the voxels that a header declares, bytes. [`read_with`] uses less: 64 times
+    /// the received bytes, plus 16 MiB.
     pub max_memory: usize,
 }
 
-/// The default of [`ReadLimits::max_inflation`]: deflate itself reaches 1032, so only archives that name the same bytes
+/// Default of [`ReadLimits::max_inflation`]: deflate itself reaches 1032, so only archives that name the same bytes
 /// several times, or that are compressed twice, inflate more.
 pub const DEFAULT_INFLATION: usize = 1100;
 
@@ -101,21 +102,21 @@ impl Default for ReadLimits {
     }
 }
 
-/// A file as it was read.
+/// The result of reading a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadFile {
     /// Its format.
     pub format: InputFormat,
     /// Its content, in RAS.
     pub content: FileContent,
-    /// The space of coordinates that it declares, before they were converted.
+    /// The declared coordinate space, before conversion.
     pub space: InputSpace,
-    /// Names of the labels of a volume, for formats that have them, as the file gives them.
+    /// Names of the labels of a volume as given in the file, for formats with names.
     pub label_names: BTreeMap<u32, String>,
-    /// What was done to coordinates or values, and whether the name promises another format: a sentence each, without text
-    /// of the file.
+    /// Changes of coordinates or values, and a mismatch between name and format: a sentence each, without text of the
+    /// file.
     pub notes: Vec<String>,
-    /// What the file contradicts itself in, so that what is made of it is in doubt.
+    /// Contradictions within the file that put the content in doubt.
     pub warnings: Vec<InputWarning>,
 }
 
@@ -128,18 +129,18 @@ pub enum FileContent {
     Mesh(MeshFile),
 }
 
-/// The default of the least share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
+/// Default of [`ReadOptions::fraction`].
 pub const DEFAULT_FRACTION: f64 = 0.5;
 
-/// What a sender decides where a file leaves a choice.
+/// Choices of the sender where a file leaves them open.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadOptions {
-    /// Share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
+    /// Least share of the largest value from which a voxel of a fractional segmentation belongs to a segment.
     pub fraction: f64,
-    /// Whether the coordinate transform that a GIFTI file states is applied; `None`: if it is rigid.
+    /// Whether to apply the coordinate transform of a GIFTI file; `None` applies rigid ones.
     pub apply_transform: Option<bool>,
-    /// The labels that will be used, where they are known: frames of other segments need not fit on their stack. All labels that
-    /// can be read are read.
+    /// The labels that will be used, if known: frames of other segments need not lie on their stack. All readable
+    /// labels are read.
     pub labels: Option<Vec<LabelChoice>>,
 }
 
@@ -150,7 +151,7 @@ impl Default for ReadOptions {
 }
 
 impl ReadOptions {
-    /// Whether a label will be used, whose name is that of the file.
+    /// Whether a label, with its name in the file, will be used.
     fn asks_for(&self, label: u32, name: Option<&String>) -> bool {
         let is_it = |choice: &LabelChoice| match choice {
             LabelChoice::Number(number) => *number == label,
@@ -165,18 +166,19 @@ impl ReadOptions {
 /// [`read_with`] with the defaults of [`ReadOptions`].
 ///
 /// # Errors
-/// Those of [`read_with`].
+/// The errors of [`read_with`].
 pub fn read(bytes: &[u8], file_name: Option<&str>, limits: &ReadLimits) -> Result<ReadFile, FormatError> {
     read_with(bytes, file_name, limits, &ReadOptions::default())
 }
 
-/// Reads a file of any of the [`InputFormat`]s, plain, compressed with gzip, or alone in a zip archive; or a zip archive of
-/// DICOM segmentations, as one volume. The format is found from the content; the name decides only where that does not.
+/// Reads a file of any of the [`InputFormat`]s, plain, compressed with gzip, or alone in a zip archive; or a zip
+/// archive of DICOM segmentations, as one volume. The content determines the format; the name decides only where the
+/// content does not.
 ///
 /// # Errors
-/// [`FormatError::UnknownFormat`] if it is none of them; [`FormatError::Unsupported`] if it is one that is known and not
-/// read; [`FormatError::NotAsNamed`] if only the name promises one; [`FormatError::Gzip`] or [`FormatError::Zip`] if what is
-/// compressed is damaged or incomplete; else those of the format's reader.
+/// [`FormatError::UnknownFormat`] for an unrecognized format; [`FormatError::Unsupported`] for a recognized format that
+/// is not read; [`FormatError::NotAsNamed`] if only the name indicates a format; [`FormatError::Gzip`] or
+/// [`FormatError::Zip`] if compressed data are damaged or incomplete; otherwise the errors of the format's reader.
 ///
 /// # Cost
 /// Linear in the inflated size.
@@ -213,7 +215,7 @@ pub fn read_with(
     }
 }
 
-/// [`read_with`] for a file that is no archive.
+/// [`read_with`] for files that are not archives.
 fn read_file(
     bytes: &[u8],
     file_name: Option<&str>,
@@ -250,7 +252,7 @@ fn read_file(
         InputFormat::Ply => ReadFile::declared(format, ply::read_ply(bytes, limits)?, bytes)?,
         InputFormat::Stl => {
             let (soup, head) = (stl::read_soup(bytes, limits)?, bytes[..bytes.len().min(DECLARATION_BYTES)].to_vec());
-            // Text of facets is by far the largest part of what joining them takes.
+            // The text of the facets takes by far the largest part of the memory while they are joined.
             drop(inflated);
             ReadFile::declared(format, soup.joined(before)?, &head)?
         }
@@ -264,13 +266,13 @@ fn read_file(
     Ok(read)
 }
 
-/// As much of a file as is looked at for the size of its volume.
+/// Bytes of a file that are searched for the size of its volume.
 const HEAD_BYTES: usize = dicom::HEAD_BYTES;
 
-/// Bytes of the voxels that the header of a volume declares, as they are stored; 0 for other files.
+/// Size of the voxels declared by the header of a volume, bytes as stored; 0 for other files.
 ///
 /// # Errors
-/// `Gzip` if the stream is damaged where it begins.
+/// `Gzip` if the start of the stream is damaged.
 fn declared_voxels(bytes: &[u8]) -> Result<usize, FormatError> {
     let head = gzip::unverified_prefix(bytes, HEAD_BYTES)?;
     Ok(match detect::by_content(&head) {
@@ -283,12 +285,12 @@ fn declared_voxels(bytes: &[u8]) -> Result<usize, FormatError> {
     })
 }
 
-/// What a report says of bytes after everything that a header states.
+/// Note of a report on bytes after everything that a header states.
 fn trailing_note(n_bytes: usize) -> String {
     format!("{n_bytes} bytes after the end of what the header states were not read")
 }
 
-/// How much of a file's title, header or first comments is searched for a declared space.
+/// Bytes of a file's title, header or first comments that are searched for a declared space.
 const DECLARATION_BYTES: usize = 1024;
 
 impl ReadFile {
@@ -303,7 +305,7 @@ impl ReadFile {
         ReadFile { format, content: FileContent::Mesh(file), space, label_names, notes, warnings }
     }
 
-    /// A mesh of a format in which 3D Slicer declares the space of the coordinates in free text.
+    /// A mesh in a format whose free text may declare the coordinate space, as written by 3D Slicer.
     fn declared(format: InputFormat, mut file: MeshFile, bytes: &[u8]) -> Result<Self, FormatError> {
         if lps::is_declared(&bytes[..bytes.len().min(DECLARATION_BYTES)]) {
             lps::to_ras(&mut file)?;

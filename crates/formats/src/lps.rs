@@ -1,4 +1,4 @@
-//! Coordinates in LPS (left, posterior, superior), as DICOM, ITK and 3D Slicer have them, to RAS.
+//! Conversion to RAS of coordinates in LPS (left, posterior, superior), the convention of DICOM, ITK and 3D Slicer.
 
 use super::FormatError;
 use super::polygons::MeshFile;
@@ -6,15 +6,15 @@ use homolog_contract::input::InputSpace;
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3, Vector4};
 
-/// What a report says of a file whose coordinates were converted.
+/// Note of a report on a file whose coordinates were converted.
 pub(super) const NOTE: &str = "the file has LPS coordinates; they were converted to RAS (x and y change their signs)";
 
-/// Whether the text in which a program may write what it likes (title, header or comments) declares LPS as 3D Slicer does.
+/// Whether free text (title, header or comments) declares LPS in the form of 3D Slicer.
 pub(super) fn is_declared(head: &[u8]) -> bool {
     head.windows(9).any(|text| text == b"SPACE=LPS")
 }
 
-/// The mesh in RAS, with a note.
+/// Converts the mesh to RAS, with a note.
 ///
 /// # Errors
 /// None for a valid mesh.
@@ -27,7 +27,7 @@ pub(super) fn to_ras(file: &mut MeshFile) -> Result<(), FormatError> {
     Ok(())
 }
 
-/// An affine to RAS, from one to LPS.
+/// An affine to RAS, from an affine to LPS.
 pub(super) fn affine_to_ras(affine: &Matrix4<f64>) -> Matrix4<f64> {
     Matrix4::from_diagonal(&Vector4::new(-1.0, -1.0, 1.0, 1.0)) * affine
 }

@@ -1,7 +1,7 @@
 //! MetaImage of ITK: header and voxels in one file (`.mha`, or `.mhd` with `ElementDataFile = LOCAL`).
 //!
 //! Source: MetaIO documentation and `metaImage.cxx`. Fields may have any order; `ElementDataFile` is the last. Coordinates are
-//! LPS, as in ITK, and are converted to RAS and from `DistanceUnits` to millimetres; `AnatomicalOrientation` is a comment on
+//! LPS, as in ITK, and are converted to RAS and from `DistanceUnits` to millimeters; `AnatomicalOrientation` is a comment on
 //! them and is not used. Rows of `TransformMatrix` are the directions of the axes. Axes of size 1 beyond three may be anywhere.
 
 use super::budget::Budget;
@@ -15,12 +15,12 @@ use nalgebra::{Matrix3, Matrix4, Vector3};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-/// Longest header that is looked at.
+/// Largest number of header lines.
 const MAX_HEADER_LINES: usize = 1000;
-/// Bytes that are held for each byte of a line of the header.
+/// Bytes held for each byte of a header line.
 const LINE_BYTES_PER_BYTE: usize = 48;
 
-/// Whether this text begins as a MetaImage header does.
+/// Whether `bytes` begin like a MetaImage header.
 pub(super) fn is_metaimage(bytes: &[u8]) -> bool {
     let head = bytes.get(..2048).unwrap_or(bytes);
     let key = |line: &[u8], names: &[&[u8]]| {
@@ -37,7 +37,8 @@ pub(super) fn is_metaimage(bytes: &[u8]) -> bool {
 /// Reads a label volume.
 ///
 /// # Errors
-/// [`FormatError`]; voxels in another file, several channels and other than three dimensions are not supported.
+/// [`FormatError`]; voxels in another file, several channels and numbers of dimensions other than three are not
+/// supported.
 ///
 /// # Cost
 /// Linear in the inflated size.
@@ -99,10 +100,10 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
                 available: stored.len() as u64,
             };
             let compressed = stored.get(..length).ok_or(truncated)?;
-            // Enough to tell that there is too much.
+            // Enough bytes to detect a surplus.
             Cow::Owned(inflate_up_to(compressed, needed.saturating_mul(2), needed, &budget)?.ok_or(damaged)?)
         } else {
-            // Counted from the begin of the file; negative: the voxels are at its end.
+            // Counted from the start of the file; negative if the voxels are at its end.
             let skipped: i64 = header.get("HeaderSize").parse().unwrap_or(0);
             let start = match usize::try_from(skipped) {
                 Err(_) => stored.len().saturating_sub(needed),
@@ -130,7 +131,7 @@ pub fn read_metaimage(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Fo
     Ok(file)
 }
 
-/// The fields of a header, to the last, which says where the voxels are.
+/// The fields of a header, up to the last, which locates the voxels.
 fn fields_of(scanner: &mut Scanner<'_>, budget: &Budget) -> Result<HashMap<String, String>, FormatError> {
     let mut fields: HashMap<String, String> = HashMap::new();
     loop {
@@ -140,7 +141,7 @@ fn fields_of(scanner: &mut Scanner<'_>, budget: &Budget) -> Result<HashMap<Strin
         if line.is_empty() {
             continue;
         }
-        // Keys and values are kept, and lists of numbers made of them.
+        // Keys and values are kept, and lists of numbers are made from them.
         budget.charge(line.len().saturating_mul(LINE_BYTES_PER_BYTE))?;
         let text = String::from_utf8_lossy(line);
         let Some((key, value)) = text.split_once(['=', ':']) else {
@@ -154,7 +155,7 @@ fn fields_of(scanner: &mut Scanner<'_>, budget: &Budget) -> Result<HashMap<Strin
     }
 }
 
-/// Bytes of the voxels that a header declares; 0 if it is not valid.
+/// Size of the voxels that a header declares, bytes; 0 if it is invalid.
 pub(super) fn declared(head: &[u8]) -> usize {
     let mut scanner = Scanner::new(head);
     let Ok(fields) = fields_of(&mut scanner, &Budget::new(2 * super::HEAD_BYTES)) else { return 0 };
@@ -162,11 +163,11 @@ pub(super) fn declared(head: &[u8]) -> usize {
     let Ok(sizes) = header.list("DimSize") else { return 0 };
     let Some(element) = element_of_name(header.get("ElementType")) else { return 0 };
     let n_bytes = sizes.iter().product::<f64>() * element.size() as f64;
-    // A number that is none, or negative, is 0.
+    // The cast turns NaN and negative numbers into 0.
     n_bytes as usize
 }
 
-/// The type of a voxel that a name of the header means.
+/// The voxel type for a name in the header.
 fn element_of_name(name: &str) -> Option<Element> {
     Some(match name {
         "MET_CHAR" => Element::I8,
@@ -187,7 +188,8 @@ fn without_voxels(what: &'static str) -> FormatError {
     FormatError::Unsupported { what, advice: "save header and voxels in one .mha file" }
 }
 
-/// The three axes of space: all but those of size 1, of which the last are left out. `None` if more than three are larger.
+/// The three axes of space: all axes except those of size 1; the last of these are left out. `None` if more than three
+/// axes are larger.
 fn axes_of_space(sizes: &[f64]) -> Option<[usize; 3]> {
     let mut axes: Vec<usize> = (0..sizes.len()).collect();
     while axes.len() > 3 {
@@ -223,7 +225,7 @@ impl Header<'_> {
         self.fields.get(key).map_or("", String::as_str)
     }
 
-    /// The numbers of a field; none if it is absent.
+    /// The numbers of a field; empty if it is absent.
     fn list(&self, key: &'static str) -> Result<Vec<f64>, FormatError> {
         let numbers: Option<Vec<f64>> = words(self.get(key).as_bytes()).map(real).collect();
         numbers.ok_or_else(|| FormatError::Header {
@@ -233,7 +235,7 @@ impl Header<'_> {
         })
     }
 
-    /// The numbers of the axes of space in the first of these fields that has a number for each axis.
+    /// The numbers for the axes of space, from the first of these fields with a number for each axis.
     fn three(
         &self,
         keys: &[&'static str],
@@ -250,7 +252,7 @@ impl Header<'_> {
         Ok(Vector3::repeat(default))
     }
 
-    /// Voxels of these three of `n` axes to positions in the same three dimensions of space.
+    /// Maps voxels of these three of `n` axes to positions in the same three dimensions of space.
     fn affine(&self, axes: [usize; 3], n: usize) -> Result<Matrix4<f64>, FormatError> {
         let mut directions = Matrix3::identity();
         for key in ["TransformMatrix", "Rotation", "Orientation"] {

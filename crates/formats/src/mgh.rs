@@ -1,8 +1,8 @@
-//! FreeSurfer volumes: MGH, and MGZ, which is MGH in gzip.
+//! FreeSurfer volumes: MGH, and MGZ, its gzip-compressed form.
 //!
-//! Source: FreeSurfer's description of the MGH/MGZ volume format. Big-endian; the header has 284 bytes, and what follows the
-//! voxels (scan parameters, tags) is not read, but has to be that: further voxels mean that the sizes are wrong. The affine maps voxels to scanner RAS: `Mdc · diag(voxel sizes)`, with `c_ras`
-//! at the voxel `dimensions / 2`.
+//! Source: FreeSurfer's description of the MGH/MGZ volume format. Big-endian; the header has 284 bytes. The trailer
+//! after the voxels (scan parameters, tags) is not read but checked: further voxels mean that the sizes are wrong. The
+//! affine maps voxels to scanner RAS: `Mdc · diag(voxel sizes)`, with `c_ras` at the voxel `dimensions / 2`.
 
 use super::budget::Budget;
 use super::element::{ByteOrder, Element, Rest, Voxels};
@@ -13,16 +13,16 @@ use nalgebra::{Matrix3, Matrix4, Vector3};
 
 const HEADER_BYTES: usize = 284;
 
-/// Whether these are the first bytes of an MGH file: version 1 and plausible counts.
+/// Whether `bytes` begin like an MGH file: version 1 and plausible counts.
 pub(super) fn is_mgh(bytes: &[u8]) -> bool {
     let Some(head) = bytes.get(..24) else { return false };
     let fields = Element::I32.wholes(head, ByteOrder::Big);
-    // Newer versions of FreeSurfer keep an intent above the version.
+    // Newer versions of FreeSurfer store an intent above the version.
     let is_version = fields[0] & 0xff == 1 && (1..1 << 16).contains(&fields[0]);
     is_version && fields[1..5].iter().all(|&d| (1..=1 << 20).contains(&d)) && (0..=11).contains(&fields[5])
 }
 
-/// Bytes of the voxels that a header declares; 0 if it is not valid.
+/// Size of the voxels that a header declares, bytes; 0 if it is invalid.
 pub(super) fn declared(head: &[u8]) -> usize {
     voxels_of(head).map_or(0, |voxels| voxels.stored())
 }
@@ -105,7 +105,7 @@ pub fn read_mgh(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatEr
     Ok(file)
 }
 
-/// Whether this is what FreeSurfer writes after the voxels: four or five scan parameters, then tags, each with its length.
+/// Whether `rest` is FreeSurfer's trailer: four or five scan parameters, then tags, each with its length.
 fn is_footer(rest: &[u8]) -> bool {
     // Tags of older versions, without a length, and one with a length of four bytes.
     const WITHOUT_LENGTH: [i64; 3] = [1, 2, 20];
@@ -116,7 +116,7 @@ fn is_footer(rest: &[u8]) -> bool {
     [20, 16].iter().any(|&parameters| {
         let mut tags = &rest[parameters..];
         loop {
-            // The end, zeros as padding, or the part of a tag of which nothing is known.
+            // The end, zeros as padding, or an unknown part of a tag.
             if tags.len() < 4 || tags.iter().all(|&byte| byte == 0) {
                 return true;
             }

@@ -11,10 +11,10 @@ use super::{FormatError, ReadLimits};
 const HEADER_BYTES: usize = 16;
 const HAS_FACES: u16 = 1;
 const HAS_VERTICES: u16 = 2;
-/// The attributes that the format defines.
+/// Attributes defined by the format.
 const KNOWN: u16 = 0x3f;
 
-/// Whether these are the first bytes of an MZ3 file. Programs of Windows begin with the same two letters.
+/// Whether `bytes` begin like an MZ3 file. Windows programs begin with the same two letters.
 pub(super) fn is_mz3(bytes: &[u8]) -> bool {
     bytes.starts_with(b"MZ") && bytes.len() >= HEADER_BYTES && attributes(bytes) <= KNOWN && attributes(bytes) > 0
 }
@@ -59,8 +59,8 @@ pub fn read_mz3(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     polygons.into_mesh()
 }
 
-/// Holds what follows the vertices against what the attributes announce: colors of 4 bytes and scalars of 4 or 8 bytes a vertex,
-/// the scalars in any number of layers.
+/// Checks the bytes after the vertices against the announced attributes: colors of 4 bytes and scalars of 4 or 8 bytes
+/// per vertex, the scalars in any number of layers.
 fn check_rest(attributes: u16, n_vertices: u64, rest: u64) -> Result<(), FormatError> {
     const HAS_COLORS: u16 = 4;
     const HAS_SCALARS: u16 = 8 | 16;
@@ -69,7 +69,7 @@ fn check_rest(attributes: u16, n_vertices: u64, rest: u64) -> Result<(), FormatE
     let fits = if attributes & HAS_SCALARS > 0 {
         layers.is_multiple_of((4 * n_vertices).max(1))
     } else {
-        // Attributes that were defined later may follow.
+        // Data of attributes defined later may follow.
         layers == 0 || attributes & !(HAS_FACES | HAS_VERTICES | HAS_COLORS) > 0
     };
     let what = "colors and scalars after the vertices";

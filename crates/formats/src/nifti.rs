@@ -1,10 +1,11 @@
 //! NIfTI label volumes, versions 1 and 2: single files (`n+1`, `n+2`), either byte order, plain or gzip.
 //!
 //! Source: nifti1.h and nifti2.h of the NIfTI data format working group (2007, 2011). The header is checked against the
-//! length of the file before anything is allocated, and what follows the voxels against the header. The affine is the sform if
-//! its code is positive, else the qform, else the voxel sizes alone ("method 1"), scaled to millimetres. Where a file states
-//! two of them that disagree, a note says which was taken and in what they differ ([`super::two_affines`]). (The `nifti` crate has these as well, but reads all voxels
-//! before the header can be checked; tests use it as an independent reader.)
+//! length of the file before anything is allocated, and the bytes after the voxels against the header. The affine is
+//! the sform if its code is positive, else the qform, else the voxel sizes alone ("method 1"), scaled to millimeters.
+//! If a file states two affines that disagree, a note says which was taken and how they differ
+//! ([`super::two_affines`]). (The `nifti` crate also reads headers and voxels, but reads all voxels before the header
+//! can be checked; tests use it as an independent reader.)
 
 use super::budget::Budget;
 use super::element::{ByteOrder, Element, Voxels};
@@ -23,10 +24,10 @@ use std::io::Write;
 
 /// Length of the header of version 1 with the extension flag.
 const HEADER_1_BYTES: usize = 352;
-/// Length of the header of version 2 with the extension flag: as much of a file as [`is_nifti`] and the header need.
+/// Length of the header of version 2 with the extension flag: the part of a file that [`is_nifti`] and the header need.
 pub(super) const HEADER_BYTES: usize = 544;
 
-/// Whether these are the first bytes of a NIfTI file of either version or of its predecessor ANALYZE.
+/// Whether `head` begins a NIfTI file of either version or of its predecessor ANALYZE.
 pub(super) fn is_nifti(head: &[u8]) -> bool {
     let size = head.first_chunk::<4>().map_or(0, |b| i32::from_le_bytes(*b));
     let sizes = [size, size.swap_bytes()];
@@ -41,7 +42,7 @@ pub(super) fn is_nifti(head: &[u8]) -> bool {
 /// damaged or incomplete, even after the last voxel.
 ///
 /// # Cost
-/// Linear in the inflated size, which `limits` bound; keeps no more of it than the header asks for.
+/// Linear in the inflated size, which `limits` bound; keeps no more of it than the header requires.
 pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatError> {
     let head = unverified_prefix(bytes, HEADER_BYTES)?;
     let Header { voxels, end, offset, affine, space, disagreement, unit } = Header::parse(&head)?;
@@ -57,7 +58,7 @@ pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Format
         return Err(FormatError::Truncated { part: "the voxel array", needed, available: plain.len() as u64 });
     }
     let labels = voxels.labels(&plain[offset as usize..needed as usize], &budget)?;
-    // The flag of extensions is the first of the last four bytes of the header.
+    // The extension flag is the first of the last four bytes of the header.
     let extensions = plain.get(end..offset as usize).filter(|_| plain[end - 4] != 0).unwrap_or_default();
     let names = label_names(extensions, voxels.order, &budget)?;
     let mut file = LabelFile { space, names, ..LabelFile::unnamed(LabelVolume::new(voxels.dims, labels, affine)?) };
@@ -72,18 +73,18 @@ pub fn read_nifti(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, Format
     Ok(file)
 }
 
-/// Bytes of the voxels that a header declares; 0 if it is not valid.
+/// Size of the voxels that a header declares, bytes; 0 if it is invalid.
 pub(super) fn declared(head: &[u8]) -> usize {
     Header::parse(head).map_or(0, |header| header.voxels.stored())
 }
 
-/// The fields of the header that are used, validated.
+/// The validated header fields that are used.
 #[derive(Debug)]
 struct Header {
     voxels: Voxels,
-    /// Where the header ends and extensions may begin, bytes.
+    /// End of the header, where extensions may begin, bytes.
     end: usize,
-    /// Where the voxels begin, bytes.
+    /// Offset of the voxels, bytes.
     offset: u64,
     affine: Matrix4<f64>,
     space: InputSpace,
@@ -91,7 +92,7 @@ struct Header {
     unit: Unit,
 }
 
-/// The type of a voxel that a code of the header names.
+/// The voxel type for a code in the header.
 fn element_of_code(code: i16) -> Option<Element> {
     Some(match code {
         2 => Element::U8,
@@ -157,7 +158,7 @@ impl Header {
         let order = if big_endian { ByteOrder::Big } else { ByteOrder::Little };
         let unit = f.unit();
         let (affine, disagreement) = f.affine(dims);
-        // A code of 0 says that the form is not set; a negative one is no code.
+        // A code of 0 means that the form is not set; negative codes are invalid.
         let space = if f.codes().iter().any(|&code| code != 0) { InputSpace::ScannerRas } else { InputSpace::Unknown };
         let voxels = Voxels { dims, element, order, slope, intercept };
         Ok(Header { voxels, end: default, offset, affine, space, disagreement, unit })
@@ -229,7 +230,7 @@ impl Fields<'_> {
         if self.second { [self.i32(344), self.i32(348)] } else { [self.i16(252).into(), self.i16(254).into()] }
     }
 
-    /// Bits 0 to 2: 1 metre, 2 millimetre, 3 micrometre; 0 is unknown, in practice millimetre.
+    /// Bits 0 to 2: 1 meter, 2 millimeter, 3 micrometer; 0 is unknown, in practice millimeter.
     fn unit(&self) -> Unit {
         let units = if self.second { self.i32(500) as u8 } else { self.bytes[123] };
         let mm = match units & 7 {
@@ -240,7 +241,7 @@ impl Fields<'_> {
         Unit { mm }
     }
 
-    /// Voxels to RAS, mm, and how the affines that the header states differ.
+    /// The affine from voxels to RAS, mm, and the disagreement between the affines of the header, if any.
     fn affine(&self, dims: [usize; 3]) -> (Matrix4<f64>, Option<Disagreement>) {
         let [qform, sform] = self.codes();
         let to_mm = |mut affine: Matrix4<f64>| {
@@ -282,8 +283,8 @@ impl Fields<'_> {
     }
 }
 
-/// A NIfTI-1 file, little-endian, with the affine as sform (single precision, mm); labels in the narrowest of 8, 16
-/// and 32 bits that holds them all.
+/// A NIfTI-1 file, little-endian, with the affine as sform (single precision, mm); labels in the narrowest of 8, 16 and
+/// 32 bits that can hold all of them.
 pub fn write_nifti(volume: &LabelVolume) -> Vec<u8> {
     let largest = volume.labels().iter().copied().max().unwrap_or(0);
     let (code, size): (i16, usize) = match largest {
@@ -306,7 +307,7 @@ pub fn write_nifti(volume: &LabelVolume) -> Vec<u8> {
     }
     put(108, &(HEADER_1_BYTES as f32).to_le_bytes());
     put(112, &1f32.to_le_bytes());
-    put(123, &[2]); // millimetres
+    put(123, &[2]); // millimeters
     put(254, &1i16.to_le_bytes()); // sform: scanner coordinates
     for r in 0..3 {
         for c in 0..4 {

@@ -1,5 +1,5 @@
-//! The label table of a NIfTI volume: an extension of Connectome Workbench with XML, in which `<Label Key="17" …>name</Label>` names the
-//! value 17. What is no such table is left alone: names are not needed to read the voxels.
+//! The label table of a NIfTI volume: a Connectome Workbench extension with XML, in which `<Label Key="17"
+//! …>name</Label>` names the value 17. Other extensions are ignored: names are not needed to read the voxels.
 
 use super::FormatError;
 use super::budget::Budget;
@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 /// The code of extensions of Caret and Connectome Workbench.
 const CODE: i32 = 30;
-/// Most labels that are named, and longest name, bytes.
+/// Largest number of named labels, and largest length of a name, bytes.
 const MAX_LABELS: usize = 10_000;
 const MAX_NAME_BYTES: usize = 256;
 
@@ -106,7 +106,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever stands between header and voxels, the voxels are read.
+        /// The voxels are read regardless of the bytes between header and voxels.
         #[test]
         fn any_extension_leaves_the_voxels_alone(
             content in prop::collection::vec(any::<u8>(), 0..200),

@@ -1,7 +1,7 @@
-//! NumPy's `.npz`: a zip archive, not compressed, with a `.npy` array for each column. `numpy.load(file)["target"]` is a
+//! NumPy's `.npz`: an uncompressed zip archive with a `.npy` array for each column. `numpy.load(file)["target"]` is a
 //! column.
 //!
-//! Equal columns give equal bytes: entries have no time.
+//! Equal columns give equal bytes: entries carry no time.
 
 use super::PairColumns;
 use super::npy::npy_array;
@@ -10,10 +10,11 @@ use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// The columns of [`super::npy::write_npy`], an array for each; `triangle` and `barycentric` have three numbers a row.
+/// The columns of [`super::npy::write_npy`], an array for each; `triangle` and `barycentric` have three numbers per
+/// row.
 ///
 /// # Errors
-/// Those of the archive, such as more than 4 GiB.
+/// Errors of the archive, such as more than 4 GiB.
 pub fn write_npz(pairs: &PairColumns<'_>) -> std::io::Result<Vec<u8>> {
     let n = pairs.len();
     let four = |v: &[u32]| v.iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -33,7 +34,7 @@ pub fn write_npz(pairs: &PairColumns<'_>) -> std::io::Result<Vec<u8>> {
 /// Per-vertex arrays, row `k` is vertex `k`.
 ///
 /// # Errors
-/// As for [`write_npz`].
+/// The errors of [`write_npz`].
 pub fn write_npz_table(arrays: &[VertexArray]) -> std::io::Result<Vec<u8>> {
     let columns: Vec<(&str, Vec<u8>)> = arrays
         .iter()

@@ -1,10 +1,11 @@
 //! NRRD label volumes in one file (`.nrrd`), and segmentations of 3D Slicer (`.seg.nrrd`) with the names of their segments.
 //!
-//! Source: "Definition of NRRD File Format", Teem; 3D Slicer developer guide, "Segmentation file format". Encodings: raw,
-//! gzip, ASCII, hexadecimal. `line skip` counts lines before what is stored, `byte skip` bytes of the stored or inflated voxels;
-//! a negative one counts from the end. Coordinates are converted from LPS, LAS or RAS to RAS and from `space units` to
-//! millimetres; a file without a space is taken as RAS. Axes of size 1 beyond the three of space may be anywhere. Segments of
-//! a `.seg.nrrd` may overlap: then they are in layers, an axis of the kind `list`.
+//! Source: "Definition of NRRD File Format", Teem; 3D Slicer developer guide, "Segmentation file format". Encodings:
+//! raw, gzip, ASCII, hexadecimal. `line skip` counts lines before the stored data, `byte skip` counts bytes of the
+//! stored or inflated voxels; a negative value counts from the end. Coordinates are converted from LPS, LAS or RAS to
+//! RAS, and from `space units` to millimeters; a file without a space is taken as RAS. Axes of size 1 beyond the three
+//! of space may be anywhere. Segments of a `.seg.nrrd` may overlap: they are then stored in layers, an axis of the kind
+//! `list`.
 
 use super::budget::Budget;
 use super::element::{ByteOrder, Element, Rest, Voxels};
@@ -18,13 +19,13 @@ use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Vector4};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// Longest header that is looked at.
+/// Largest number of header lines.
 const MAX_HEADER_LINES: usize = 100_000;
-/// Bytes that are held for each byte of a line of the header, and for the line.
+/// Bytes held for each byte of a header line, and for each line.
 const LINE_BYTES_PER_BYTE: usize = 40;
 const LINE_BYTES: usize = 200;
 
-/// Whether these are the first bytes of a NRRD file.
+/// Whether `bytes` begin like a NRRD file.
 pub(super) fn is_nrrd(bytes: &[u8]) -> bool {
     bytes.starts_with(b"NRRD000")
 }
@@ -80,7 +81,7 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
     let values = match header.get("encoding").to_ascii_lowercase().as_str() {
         "raw" => labels(stored, byte_skip, needed, &voxels, &budget, &mut notes)?,
         "gzip" | "gz" => {
-            // Some writers store a bare zlib stream; whatever else is there is damaged.
+            // Some writers store a bare zlib stream; anything else is damaged.
             let damaged = FormatError::Payload { format: "NRRD", line: None };
             let (plain, is_followed) = if gzip::is_gzip(stored) {
                 gzip::inflate_embedded(stored, limits.max_inflated_bytes, needed, &budget)?
@@ -111,7 +112,7 @@ pub fn read_nrrd(bytes: &[u8], limits: &ReadLimits) -> Result<LabelFile, FormatE
     Ok(LabelFile { volume, space: grid.space, names, notes, warnings: Vec::new() })
 }
 
-/// Bytes of the voxels that a header declares; 0 if it is not valid.
+/// Size of the voxels that a header declares, bytes; 0 if it is invalid.
 pub(super) fn declared(head: &[u8]) -> usize {
     let mut scanner = Scanner::new(head);
     let Ok(header) = Header::read(&mut scanner, &Budget::new(2 * super::HEAD_BYTES)) else { return 0 };
@@ -120,8 +121,8 @@ pub(super) fn declared(head: &[u8]) -> usize {
     Voxels::plain(grid.dims, element, ByteOrder::Little).stored().saturating_mul(grid.n_layers)
 }
 
-/// The voxels among what is stored: after the bytes to skip or, if these are negative, at the end, before as many bytes as they
-/// are below −1.
+/// The voxels in the stored data. They follow the bytes to skip; a negative skip places them at the end, before as many
+/// bytes as it lies below −1.
 fn labels(
     stored: &[u8],
     byte_skip: i64,
@@ -187,7 +188,7 @@ fn element(name: &str) -> Result<Element, FormatError> {
 struct Header {
     fields: HashMap<String, String>,
     pairs: BTreeMap<String, String>,
-    /// Whether an empty line ends it, before the voxels.
+    /// Whether an empty line ends the header before the voxels.
     has_end: bool,
 }
 
@@ -201,7 +202,7 @@ impl Header {
                 header.has_end = true;
                 return Ok(header);
             }
-            // Names and values are kept, and lists of numbers and words made of them.
+            // Names and values are kept, and lists of numbers and words are made from them.
             budget.charge(line.len().saturating_mul(LINE_BYTES_PER_BYTE) + LINE_BYTES)?;
             let text = String::from_utf8_lossy(line);
             if text.starts_with('#') {
@@ -230,14 +231,14 @@ impl Header {
         numbers.ok_or_else(|| bad(key, "no list of numbers".to_owned(), "write the file again"))
     }
 
-    /// A number of lines or bytes to skip; 0 if there is none.
+    /// A number of lines or bytes to skip; 0 if absent.
     fn skip(&self, key: &'static str) -> Result<i64, FormatError> {
         let text = self.get(key);
         let number = if text.is_empty() { Ok(0) } else { text.parse() };
         number.map_err(|_| bad(key, "no whole number".to_owned(), "write the file again"))
     }
 
-    /// The units that a field states, each in quotes, or separated by blanks.
+    /// The units stated in a field, each in quotes, or separated by blanks.
     fn units(&self, key: &str) -> Vec<String> {
         let text = self.get(key);
         if text.contains('"') {
@@ -247,7 +248,7 @@ impl Header {
     }
 }
 
-/// The name of a field in lower case, with the blank that some writers leave out.
+/// The name of a field in lower case, with the blank that some writers omit.
 fn field_name(key: &str) -> String {
     match key.trim().to_ascii_lowercase().as_str() {
         "datafile" => "data file".to_owned(),
@@ -275,7 +276,7 @@ fn vectors(text: &str) -> Option<Vec<Option<[f64; 3]>>> {
             let (inside, after) = rest.strip_prefix('(')?.split_once(')')?;
             let numbers: Option<Vec<f64>> = inside.split(',').map(|w| real(w.trim().as_bytes())).collect();
             let vector: [f64; 3] = numbers?.try_into().ok()?;
-            // Some writers state no direction by what is no number.
+            // Some writers state a missing direction by NaN.
             vectors.push(vector.iter().all(|c| !c.is_nan()).then_some(vector));
             rest = after.trim_start();
         }
@@ -283,13 +284,13 @@ fn vectors(text: &str) -> Option<Vec<Option<[f64; 3]>>> {
     Some(vectors)
 }
 
-/// Where voxels lie, and how they are stored.
+/// Positions and storage of voxels.
 struct Grid {
     dims: [usize; 3],
     n_layers: usize,
-    /// Whether the layers of a voxel follow each other; else each layer is a volume.
+    /// Whether the layers of a voxel are contiguous; otherwise each layer is a volume.
     layers_first: bool,
-    /// To RAS.
+    /// Affine to RAS.
     affine: Matrix4<f64>,
     space: InputSpace,
     notes: Vec<String>,
@@ -322,7 +323,7 @@ impl Grid {
         };
         let mut axes: Vec<usize> = (0..sizes.len()).collect();
         while axes.len() > 3 {
-            // An axis of size 1 adds nothing; first those that are not of space.
+            // An axis of size 1 adds nothing; axes that are not of space come first.
             let of_size_1 =
                 |outside: bool| axes.iter().rposition(|&k| sizes[k] == 1.0 && (!outside || is_outside_space(k)));
             let Some(at) = of_size_1(true).or_else(|| of_size_1(false)) else { break };
@@ -354,7 +355,7 @@ impl Grid {
             affine.set_column(3, &Vector4::new(*x, *y, *z, 1.0));
         }
         let mut notes = Vec::new();
-        // Of the directions of space, or of each axis where only spacings are stated.
+        // One per direction of space, or one per axis if only spacings are stated.
         let stated = match directions.is_empty() {
             false => header.units("space units"),
             true => {
@@ -366,7 +367,7 @@ impl Grid {
                 }
             }
         };
-        to_millimetres(&mut affine, &stated, &mut notes);
+        to_millimeters(&mut affine, &stated, &mut notes);
         let scale = |x, y| Matrix4::from_diagonal(&Vector4::new(x, y, 1.0, 1.0));
         let (affine, space, note) = match header.get("space").to_ascii_lowercase().as_str() {
             "left-posterior-superior" | "lps" => {
@@ -393,7 +394,7 @@ impl Grid {
     }
 }
 
-/// The distance of samples along each axis: as stated, or between the least and the largest position.
+/// The distance of samples along each axis: as stated, or derived from the smallest and the largest position.
 fn spacings(header: &Header, sizes: &[f64]) -> Result<Vec<f64>, FormatError> {
     let spacings = header.numbers("spacings")?;
     let (least, most) = (header.numbers("axis mins")?, header.numbers("axis maxs")?);
@@ -412,14 +413,14 @@ fn spacings(header: &Header, sizes: &[f64]) -> Result<Vec<f64>, FormatError> {
 }
 
 /// Scales each direction of space from its unit.
-fn to_millimetres(affine: &mut Matrix4<f64>, stated: &[String], notes: &mut Vec<String>) {
+fn to_millimeters(affine: &mut Matrix4<f64>, stated: &[String], notes: &mut Vec<String>) {
     let mut factors = [1.0; 3];
     for (factor, name) in factors.iter_mut().zip(stated).filter(|(_, name)| !name.trim().is_empty()) {
         match units::named(name) {
             Some(Unit { mm }) => *factor = mm,
             None => {
                 notes
-                    .push("the file states a unit of space that is none of length; millimetres are assumed".to_owned());
+                    .push("the file states a unit of space that is none of length; millimeters are assumed".to_owned());
                 return;
             }
         }
@@ -440,7 +441,7 @@ struct Segment {
     layer: usize,
 }
 
-/// The segments that the header lists. Before version 5 of 3D Slicer each had a layer of its own, which was not stated.
+/// The segments listed in the header. Before version 5 of 3D Slicer each segment had an unstated layer of its own.
 fn segments(header: &Header, n_layers: usize) -> Vec<Segment> {
     let value = |k: usize, name: &str| header.pairs.get(&format!("Segment{k}_{name}"));
     let mut found = Vec::new();
@@ -457,8 +458,7 @@ fn segments(header: &Header, n_layers: usize) -> Vec<Segment> {
     found
 }
 
-/// The layers as one volume. Segments keep their values if these differ; otherwise they are numbered in the order of the
-/// file.
+/// The layers as one volume. Segments keep their values if these differ; otherwise they are numbered in file order.
 fn layered(
     values: &[u32],
     grid: &Grid,
@@ -481,7 +481,7 @@ fn layered(
         for at in 0..n {
             let value = values[if grid.layers_first { at * grid.n_layers + layer } else { layer * n + at }];
             if value != 0 {
-                // A value that no segment names is a label of its own.
+                // A value without a segment becomes a separate label.
                 let label = label_of.get(&(layer, value)).copied().filter(|&label| label != 0).unwrap_or(value);
                 overlay.add(at, label)?;
             }

@@ -1,8 +1,9 @@
 //! Wavefront OBJ: vertices and polygons; normals, textures, groups, lines and materials are skipped.
 //!
-//! Source: "Object Files (.obj)", Advanced Visualizer manual, appendix B1. Indices count from 1, or from the last vertex
-//! backwards if negative. A comment begins with `#` and may follow a statement. Statements that are not known are skipped, as
-//! other readers do. A unit that a comment states is applied. (MNI `.obj` files are another format under the same ending.)
+//! Source: "Object Files (.obj)", Advanced Visualizer manual, appendix B1. Indices count from 1, or backwards from the
+//! last vertex if negative. A comment begins with `#` and may follow a statement. Unknown statements are skipped, as in
+//! other readers. A unit stated in a comment is applied. (MNI `.obj` files are a different format with the same
+//! extension.)
 
 use super::budget::Budget;
 use super::polygons::{MeshFile, Polygons};
@@ -54,7 +55,7 @@ const STATEMENTS: [&[u8]; 40] = [
     b"csh",
 ];
 
-/// Whether this text begins with a statement of the format, after comments.
+/// Whether the text begins with a statement of the format, after comments.
 pub(super) fn is_obj(bytes: &[u8]) -> bool {
     let mut scanner = Scanner::new(bytes);
     while let Some(line) = scanner.text_line() {
@@ -88,7 +89,7 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     while let Some(line) = scanner.text_line() {
         joined.clear();
         let mut line = line;
-        // A line that ends in a backslash goes on in the next.
+        // A line that ends in a backslash continues in the next.
         while let Some(part) = line.strip_suffix(b"\\") {
             budget.extend(&mut joined, part)?;
             budget.push(&mut joined, b' ')?;
@@ -130,7 +131,7 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
             _ => {}
         }
     }
-    // Faces may come before the vertices that they use.
+    // Faces may precede the vertices they use.
     let mut start = 0;
     for end in ends {
         polygons.push(faces[start..end].iter().copied())?;
@@ -143,7 +144,8 @@ pub fn read_obj(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     Ok(file)
 }
 
-/// What of a line precedes a comment. The `#` of `1.#QNAN`, as older programs write what is no number, begins none.
+/// The part of a line before a comment. The `#` of `1.#QNAN`, the notation of older programs for NaN, does not begin a
+/// comment.
 fn before_comment(line: &[u8]) -> &[u8] {
     let begins = |&at: &usize| line[at] == b'#' && !line[..at].ends_with(b"1.");
     let end = (0..line.len()).find(begins).unwrap_or(line.len());

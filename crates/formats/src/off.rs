@@ -1,7 +1,7 @@
 //! OFF of Geomview, ASCII: positions and polygons; normals, colors and texture coordinates are skipped.
 //!
-//! Source: Geomview manual, "OFF Files". The keyword is optional; comments begin with `#`; a vertex or a face is a line. Lines
-//! after the last face mean that the counts are wrong.
+//! Source: Geomview manual, "OFF Files". The keyword is optional; comments begin with `#`; each vertex or face takes a
+//! line. Lines after the last face mean that the counts are wrong.
 
 use super::budget::Budget;
 use super::polygons::{MeshFile, Polygons};
@@ -9,7 +9,7 @@ use super::text::{Scanner, real, whole, words};
 use super::{FormatError, ReadLimits, units};
 use nalgebra::Point3;
 
-/// Whether this text has the keyword of the format, or names it in a comment in its first line.
+/// Whether the text has the keyword of the format, or names it in a comment in its first line.
 pub(super) fn is_off(bytes: &[u8]) -> bool {
     let mut scanner = Scanner::new(bytes.get(..4096).unwrap_or(bytes));
     let first = scanner.peek_line();
@@ -22,7 +22,7 @@ fn is_keyword(word: &[u8]) -> bool {
     letters.is_some_and(|l| l.len() <= 5 && l.iter().all(|b| b"STCN4n".contains(b)))
 }
 
-/// The next line with anything but blanks and a comment, without the comment.
+/// The next line that is not empty after removal of its comment.
 fn significant<'a>(scanner: &mut Scanner<'a>) -> Option<&'a [u8]> {
     loop {
         let line = scanner.text_line()?;
@@ -94,7 +94,8 @@ pub fn read_off(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     Ok(file)
 }
 
-/// Holds what follows the last face against their number: further lines of faces mean that it is wrong. A note of other bytes.
+/// Checks the lines after the last face: further faces mean that the stated number is wrong. Returns a note on other
+/// bytes.
 fn check_end(scanner: &mut Scanner<'_>, stated: u64, budget: &Budget) -> Result<Option<String>, FormatError> {
     let rest = scanner.rest();
     let (mut n_more, mut is_other) = (0, false);
@@ -114,7 +115,7 @@ fn check_end(scanner: &mut Scanner<'_>, stated: u64, budget: &Budget) -> Result<
 
 const FACE: &str = "the number of corners and a vertex index for each";
 
-/// The corners of a face, of which the line states the number; colors may follow.
+/// The corners of a face, whose number the line states; colors may follow.
 fn corners(line: &[u8]) -> Option<Vec<i64>> {
     let mut words = words(line);
     let n: usize = whole(words.next()?)?;

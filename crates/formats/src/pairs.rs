@@ -1,6 +1,6 @@
 //! Corresponding vertices as columns of a table.
 
-/// A correspondence in columns of equal length.
+/// Correspondences as columns of equal length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairColumns<'a> {
     /// Source vertex.
@@ -9,15 +9,15 @@ pub struct PairColumns<'a> {
     pub target: &'a [u32],
     /// Confidence, in `[0, 1]`.
     pub confidence: &'a [f64],
-    /// Whether it is an inlier of the transform.
+    /// Whether the pair is an inlier of the transform.
     pub inlier: &'a [bool],
     /// Spread of the belief on the target, mm.
     pub spread_mm: &'a [f64],
-    /// Why it is an outlier: 0 it is not one, 1 residual, 2 neighbourhood, 3 both, 4 no counterpart.
+    /// Outlier reason: 0 not an outlier, 1 residual, 2 neighborhood, 3 both, 4 no counterpart.
     pub outlier: &'a [u8],
     /// The vertices of the target triangle that contains the corresponding point.
     pub triangle: &'a [[u32; 3]],
-    /// Barycentric coordinates of the corresponding point in that triangle, of sum 1.
+    /// Barycentric coordinates of the corresponding point in that triangle; they sum to 1.
     pub barycentric: &'a [[f64; 3]],
 }
 
@@ -35,14 +35,14 @@ pub(super) struct PairRow {
 }
 
 impl PairColumns<'_> {
-    /// Number of pairs: that of the shortest column.
+    /// Number of pairs: the length of the shortest column.
     pub fn len(&self) -> usize {
         let vertices = self.source.len().min(self.target.len());
         let values = self.confidence.len().min(self.inlier.len()).min(self.spread_mm.len()).min(self.outlier.len());
         vertices.min(values).min(self.triangle.len()).min(self.barycentric.len())
     }
 
-    /// Whether there are none.
+    /// Whether there are no pairs.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

@@ -1,7 +1,7 @@
-//! Apache Parquet: one row group, a plain page for each column, not compressed.
+//! Apache Parquet: one row group, an uncompressed plain page for each column.
 //!
-//! Source: "Apache Parquet format", README and `parquet.thrift`, and the compact protocol of Thrift. Written by hand because
-//! the library takes longer to build than everything else that writes files here.
+//! Source: "Apache Parquet format", README and `parquet.thrift`, and the compact protocol of Thrift. Hand-written
+//! because the library takes longer to build than all other writers of this crate.
 
 use super::PairColumns;
 use super::vertex_arrays::{VertexArray, VertexValues};
@@ -18,17 +18,17 @@ enum Values {
     Text(Vec<String>),
 }
 
-/// A column of a table of anything but vertices.
+/// A column of a general table, not of vertices.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TableColumn {
-    /// Numbers; NaN where there is none.
+    /// Numbers; NaN for missing ones.
     Real(Vec<f64>),
     /// Text.
     Text(Vec<String>),
 }
 
 impl Values {
-    /// `Type` and, for numbers that are narrower or have no sign, `ConvertedType`.
+    /// `Type` and, for narrower or unsigned numbers, `ConvertedType`.
     fn kind(&self) -> (i64, Option<i64>) {
         match self {
             Values::Bool(_) => (0, None),
@@ -50,7 +50,7 @@ impl Values {
             Values::Text(v) => {
                 v.iter().flat_map(|text| (text.len() as u32).to_le_bytes().into_iter().chain(text.bytes())).collect()
             }
-            // Eight truth values a byte, the first in the lowest bit.
+            // Eight booleans per byte, the first in the lowest bit.
             Values::Bool(v) => v
                 .chunks(8)
                 .map(|byte| byte.iter().enumerate().fold(0u8, |sum, (k, &bit)| sum | u8::from(bit) << k))
@@ -117,7 +117,7 @@ pub fn write_parquet_columns(columns: &[(String, TableColumn)]) -> Vec<u8> {
 
 fn file(columns: &[(&str, Values)], n_rows: usize) -> Vec<u8> {
     let mut file = MAGIC.to_vec();
-    // Of each column the place of its page, and its length with its header.
+    // Place of the page of each column, and its length with its header.
     let mut pages = Vec::new();
     for (_, values) in columns {
         let plain = values.plain();
@@ -164,7 +164,8 @@ fn footer(columns: &[(&str, Values)], pages: &[(usize, usize)], n_rows: usize) -
     meta.structures(4, 1, |_, group| {
         group.structures(1, columns.len(), |k, chunk| {
             let ((name, values), (start, length)) = (&columns[k], pages[k]);
-            // Its place, and what it is: type, encodings, path, codec (0 = none), values, bytes, place of the page.
+            // Place and description of the column: type, encodings, path, codec (0 = none), values, bytes, place of the
+            // page.
             chunk.long(2, start as i64).structure(3, |column| {
                 column.integer(1, values.kind().0).integers(2, &[0, 3]).texts(3, &[name]).integer(4, 0);
                 column.long(5, n_rows as i64).long(6, length as i64).long(7, length as i64).long(9, start as i64);
@@ -195,7 +196,7 @@ impl Thrift {
         self.bytes
     }
 
-    /// The header of a field: its number after the last one, and its type.
+    /// The header of a field: the increment of its number, and its type.
     fn field(&mut self, number: u8, kind: u8) {
         self.bytes.push((number - self.last) << 4 | kind);
         self.last = number;

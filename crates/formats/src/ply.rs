@@ -1,9 +1,9 @@
 //! Stanford PLY: ASCII, binary little- and big-endian; faces and triangle strips.
 //!
-//! Source: G. Turk, "The PLY Polygon File Format", 1994, and what VTK, MeshLab and Blender write. Elements other than `vertex`,
-//! `face` and `tristrips`, and properties other than positions and vertex lists, are skipped. Rows of an ASCII file are lines;
-//! where there are fewer lines than rows, values are taken word by word. What follows the last row is held against the counts:
-//! further rows mean that a count is wrong.
+//! Source: G. Turk, "The PLY Polygon File Format", 1994, and the output of VTK, MeshLab and Blender. Elements other
+//! than `vertex`, `face` and `tristrips`, and properties other than positions and vertex lists, are skipped. Rows of an
+//! ASCII file are lines; if there are fewer lines than rows, values are taken word by word. The bytes after the last
+//! row are checked against the counts: further rows mean that a count is wrong.
 
 use super::budget::Budget;
 use super::element::{ByteOrder, Element};
@@ -14,9 +14,9 @@ use super::{FormatError, ReadLimits, units};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 
-/// Names of the property that lists the vertices of a face or strip.
+/// Names of the property with the vertices of a face or strip.
 const FACE_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
-/// Most lines of a header, and most properties of all its elements.
+/// Largest number of header lines, and of properties of all elements.
 const MAX_HEADER_LINES: usize = 10_000;
 
 /// Reads a mesh. A file of quads alone gives a quad mesh; otherwise all polygons are split into triangles.
@@ -114,7 +114,7 @@ fn element_of_name(name: &[u8]) -> Option<Element> {
 
 impl Header {
     fn read(scanner: &mut Scanner<'_>, budget: &Budget) -> Result<Self, FormatError> {
-        // The line ends of old Macintosh programs; data may follow that begin with any byte.
+        // The line ends of old Macintosh programs; data that begin with any byte may follow.
         let end =
             if scanner.rest().get(3) == Some(&b'\r') && scanner.rest().get(4) != Some(&b'\n') { b'\r' } else { b'\n' };
         scanner.line_ended_by(end);
@@ -122,7 +122,8 @@ impl Header {
         let mut has_format = false;
         for _ in 0..MAX_HEADER_LINES {
             let line = scanner.line_ended_by(end).ok_or_else(|| scanner.expected("end_header"))?;
-            // A comment is kept, a name is; an element and its list of properties take more than their line.
+            // A comment or a name is kept as it is; an element and its list of properties take more memory than their
+            // line.
             budget.charge(4 * line.len() + 512)?;
             let mut words = words(line);
             match words.next() {
@@ -172,7 +173,7 @@ impl Header {
         self.elements.iter().find(|element| element.name == name)
     }
 
-    /// Rejects headers without positions or faces, and counts for which the file is too short.
+    /// Rejects headers without positions or faces, and counts that exceed the length of the file.
     fn check(&self, available: usize, limits: &ReadLimits) -> Result<(), FormatError> {
         let needs = |what: &'static str| FormatError::Unsupported {
             what,
@@ -195,7 +196,7 @@ impl Header {
         Polygons::check_faces(n_faces, limits)?;
         for element in &self.elements {
             let least = match self.order {
-                // A digit and a blank for each value, a line end at least for none.
+                // A digit and a blank for each value; for a row without values, at least a line end.
                 None => 2 * element.columns.len(),
                 Some(_) => element.columns.iter().map(|column| column.length.unwrap_or(column.element).size()).sum(),
             };
@@ -214,7 +215,7 @@ impl Column {
         let is_real = |element: &Element| matches!(element, Element::F32 | Element::F64);
         let (length, element) = match words.next()? {
             b"list" => {
-                // A length that is a real number counts nothing.
+                // A length that is a real number is invalid.
                 let length = element_of_name(words.next()?).filter(|length| !is_real(length))?;
                 (Some(length), element_of_name(words.next()?)?)
             }
@@ -238,7 +239,7 @@ impl ElementRows {
             }
             "face" | "tristrips" => {
                 let named = self.columns.iter().position(|c| is_list(c) && FACE_LISTS.contains(&c.name.as_str()));
-                // A single list can be nothing else.
+                // A single list must be this one.
                 let lists: Vec<usize> = (0..self.columns.len()).filter(|&k| is_list(&self.columns[k])).collect();
                 let only = match lists[..] {
                     [only] => Some(only),
@@ -262,7 +263,7 @@ impl ElementRows {
     }
 }
 
-/// The values of a row that are kept.
+/// The kept values of a row.
 #[derive(Default)]
 struct Row {
     place: [f64; 3],
@@ -274,7 +275,7 @@ struct Content {
     row: Row,
     vertices: Vec<Point3<f64>>,
     corners: Vec<i64>,
-    /// Where each list of corners ends, and whether it is of strips.
+    /// End of each list of corners, and whether it holds strips.
     ends: Vec<(usize, bool)>,
 }
 
@@ -292,7 +293,7 @@ impl Content {
     }
 }
 
-/// Where rows come from.
+/// Source of the rows.
 #[derive(Clone)]
 enum Rows<'a> {
     Binary(Scanner<'a>, ByteOrder),
@@ -342,8 +343,8 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// What follows the last row: nothing but blanks and zeros, further rows, which a count conceals, or something else, of
-    /// which a note is returned.
+    /// Checks the bytes after the last row: nothing but blanks and zeros; further rows, which mean that a count is too
+    /// small; or other bytes, on which a note is returned.
     fn check_end(mut self, header: &Header, content: &Content, budget: &Budget) -> Result<Option<String>, FormatError> {
         let rest = match &self {
             Rows::Binary(scanner, _) | Rows::Lines(scanner) | Rows::Words(scanner, _) => scanner.rest(),
@@ -405,7 +406,7 @@ fn binary_row(
     Ok(())
 }
 
-/// The values of a row from words; `Ok(None)` if they are too few or not what they should be.
+/// The values of a row from words; `Ok(None)` if there are too few or one is invalid.
 fn text_row<'w>(
     word: &mut dyn FnMut() -> Option<&'w [u8]>,
     element: &ElementRows,
@@ -443,11 +444,11 @@ pub fn write_ply(mesh: &SurfaceMesh) -> Vec<u8> {
     write_ply_with(mesh, &[])
 }
 
-/// As [`write_ply`], with further vertex properties of type `int`, `double` and `uchar`.
+/// [`write_ply`] with further vertex properties of type `int`, `double` and `uchar`.
 pub fn write_ply_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
     let mut header = format!(
-        "ply\nformat binary_little_endian 1.0\ncomment millimetres\nelement vertex {}\nproperty double x\n\
+        "ply\nformat binary_little_endian 1.0\ncomment millimeters\nelement vertex {}\nproperty double x\n\
          property double y\nproperty double z\n",
         mesh.n_vertices()
     );

@@ -1,4 +1,4 @@
-//! From the polygons of a file to a triangle or quad mesh.
+//! Converts the polygons of a file to a triangle or quad mesh.
 
 use super::budget::Budget;
 use super::units::Unit;
@@ -7,11 +7,11 @@ use homolog_contract::input::InputSpace;
 use homolog_mesh::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::Point3;
 
-/// Faces that are accepted for each vertex; a closed surface of triangles has two.
+/// Largest number of faces per vertex; a closed surface of triangles has two.
 const FACES_PER_VERTEX: u64 = 8;
-/// Bytes of a file that are accepted for each vertex, and in any case.
+/// Largest size of a file per vertex, and in addition, bytes.
 const BYTES_PER_VERTEX: u64 = 512;
-/// Numbers of a list, of coordinates or of corners, that are accepted for each vertex.
+/// Largest length of a list of coordinates or corners, per vertex.
 const NUMBERS_PER_VERTEX: usize = 64;
 const BYTES_ALWAYS: u64 = 1 << 20;
 
@@ -22,18 +22,18 @@ pub struct MeshFile {
     pub mesh: SurfaceMesh,
     /// The first face that uses a vertex twice, and that vertex.
     pub first_degenerate: Option<(usize, u32)>,
-    /// How many such faces were left out.
+    /// Number of degenerate faces that were left out.
     pub n_degenerate: usize,
     /// Whether the vertices were welded on reading, because the format has no shared vertices.
     pub welded: bool,
-    /// The space of coordinates that the file declares.
+    /// The coordinate space declared by the file.
     pub space: InputSpace,
-    /// What was done to the coordinates, or has to be known about them: a sentence each, without text of the file.
+    /// Changes of the coordinates, and remarks on them: a sentence each, without text of the file.
     pub notes: Vec<String>,
 }
 
 impl MeshFile {
-    /// Converts the coordinates from this unit to millimetres, with a note.
+    /// Converts the coordinates from this unit to millimeters, with a note.
     ///
     /// # Errors
     /// [`MeshError`] if a coordinate overflows.
@@ -55,19 +55,19 @@ pub(super) struct Polygons<'b> {
     budget: &'b Budget,
 }
 
-/// The vertices whose coordinates these are.
+/// Vertices from a flat list of coordinates.
 pub(super) fn points_of(numbers: &[f64], budget: &Budget) -> Result<Vec<Point3<f64>>, FormatError> {
     budget.charge_of::<f64>(numbers.len())?;
     Ok(numbers.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect())
 }
 
 impl<'b> Polygons<'b> {
-    /// No vertices and no polygons.
+    /// An empty set of vertices and polygons.
     pub(super) fn new(budget: &'b Budget) -> Self {
         Polygons::of(Vec::new(), budget)
     }
 
-    /// No polygons over these vertices.
+    /// These vertices without polygons.
     pub(super) fn of(vertices: Vec<Point3<f64>>, budget: &'b Budget) -> Self {
         Polygons { vertices, corners: Vec::new(), ends: Vec::new(), budget }
     }
@@ -80,19 +80,19 @@ impl<'b> Polygons<'b> {
         self.budget.push(&mut self.vertices, place)
     }
 
-    /// Rejects more vertices than the limit allows, before they are read.
+    /// Rejects more vertices than the limit, before they are read.
     pub(super) fn check_count(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
         let limit = limits.max_vertices as u64;
         if found > limit { Err(FormatError::TooLarge { what: "vertices", found, limit }) } else { Ok(()) }
     }
 
-    /// Rejects more faces than so many vertices need, before they are read.
+    /// Rejects more faces than the vertices need, before they are read.
     pub(super) fn check_faces(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
         let limit = FACES_PER_VERTEX.saturating_mul(limits.max_vertices as u64);
         if found > limit { Err(FormatError::TooLarge { what: "faces", found, limit }) } else { Ok(()) }
     }
 
-    /// The longest list of numbers that a surface needs.
+    /// The longest list of numbers needed by a surface within the limits.
     pub(super) fn most_numbers(limits: &ReadLimits) -> usize {
         NUMBERS_PER_VERTEX.saturating_mul(limits.max_vertices).max(BYTES_ALWAYS as usize)
     }
@@ -103,8 +103,8 @@ impl<'b> Polygons<'b> {
         if found > limit { Err(FormatError::TooLarge { what: "numbers in a list", found, limit }) } else { Ok(()) }
     }
 
-    /// Rejects a file that is larger than the largest surface: a small compressed one may inflate to any size, and what is
-    /// made of it takes several times as much.
+    /// Rejects a file larger than the largest surface: a small compressed file may inflate to any size, and the
+    /// structures made from it take several times as much.
     pub(super) fn check_bytes(found: u64, limits: &ReadLimits) -> Result<(), FormatError> {
         let limit = BYTES_PER_VERTEX.saturating_mul(limits.max_vertices as u64).max(BYTES_ALWAYS);
         if found > limit { Err(FormatError::TooLarge { what: "bytes of a surface", found, limit }) } else { Ok(()) }
@@ -134,7 +134,8 @@ impl<'b> Polygons<'b> {
         starts.zip(&self.ends).map(|(start, &end)| &self.corners[start..end])
     }
 
-    /// A quad mesh if every face is a quad; else triangles, larger polygons split into fans from their first corner.
+    /// A quad mesh if every face is a quad; otherwise triangles, with larger polygons split into fans from their first
+    /// corner.
     ///
     /// # Errors
     /// [`MeshError`] if nothing is left or a coordinate is not finite; `TooLarge` beyond the budget.
@@ -144,12 +145,12 @@ impl<'b> Polygons<'b> {
         let arity = if all_quads { FaceArity::Quad } else { FaceArity::Triangle };
         let n_indices: usize = self.faces().map(|f| if all_quads { 4 } else { 3 * f.len().saturating_sub(2) }).sum();
         let largest = self.faces().map(<[u32]>::len).max().unwrap_or(0);
-        // The faces of the mesh, and the corners of the largest one in order.
+        // The faces of the mesh, and the sorted corners of the largest face.
         self.budget.charge_of::<u32>(n_indices + largest)?;
         let mut indices = Vec::with_capacity(n_indices);
         let (mut first_degenerate, mut n_degenerate) = (None, 0);
         for (at, face) in self.faces().enumerate() {
-            // Fewer than three corners enclose nothing: VTK writes such "polygons" for points and lines.
+            // Fewer than three corners enclose no area: VTK writes such "polygons" for points and lines.
             if face.len() < 3 {
                 continue;
             }
@@ -179,8 +180,8 @@ impl<'b> Polygons<'b> {
         Ok(MeshFile { mesh, first_degenerate, n_degenerate, welded: false, space: InputSpace::Unknown, notes })
     }
 
-    /// Puts vertices that no face uses and that have no finite coordinates where the first used one is, so that all keep their
-    /// numbers; a note, if there are any.
+    /// Moves unused vertices without finite coordinates to the place of the first used vertex, so that all vertices
+    /// keep their numbers; returns a note if there are any.
     fn place_unused(&mut self) -> Option<String> {
         let is_finite = |p: &Point3<f64>| p.iter().all(|c| c.is_finite());
         if self.vertices.iter().all(is_finite) {
@@ -207,7 +208,7 @@ pub(super) fn strip_triangles(strip: &[i64]) -> impl Iterator<Item = [i64; 3]> {
     triangles.filter(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
 }
 
-/// A vertex that occurs twice among the corners. Large polygons are sorted, so that a malicious one costs little.
+/// A vertex that occurs twice among the corners. Large polygons are sorted, which bounds the cost of malicious ones.
 fn repeated(face: &[u32]) -> Option<u32> {
     if face.len() <= 8 {
         return (1..face.len()).find(|&k| face[..k].contains(&face[k])).map(|k| face[k]);

@@ -1,5 +1,5 @@
-//! A closed surface as a DICOM segmentation (SEG): the voxels whose centers it encloses, in the study and on the grid of an
-//! input.
+//! A closed surface as a DICOM segmentation (SEG): the voxels whose centers it encloses, in the study and on the grid
+//! of an input.
 //!
 //! Source: DICOM PS3.3, sections A.51 (Segmentation) and C.8.20, C.7.6.16 (functional groups) and C.7.6.17 (dimensions).
 
@@ -13,36 +13,37 @@ use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix4, Point3, Vector3, Vector4};
 
 const CLASS: &str = "1.2.840.10008.5.1.4.1.1.66.4";
-/// Voxels along the longest side of a structure, where no input has a grid.
+/// Voxels along the longest side of a structure if no input has a grid.
 const VOXELS_ALONG: f64 = 128.0;
-/// Most voxels of the frames that are written.
+/// Largest number of voxels of all written frames.
 const MAX_VOXELS: f64 = 1e9;
 
 /// The inputs of a match, as uploaded.
 #[derive(Debug, Clone, Copy)]
 pub struct SegmentedFiles<'a> {
-    /// The input in whose space the surface is: its grid, if it is a label volume, and its frame of reference are used.
+    /// The input in whose space the surface lies. Its grid, if it is a label volume, and its frame of reference are
+    /// used.
     pub own: &'a [u8],
-    /// The other one: its patient and study are used where the first one is no DICOM object.
+    /// The other input: its patient and study are used if the first input is not a DICOM object.
     pub other: &'a [u8],
     /// UID of the study, used where neither input is a DICOM object.
     pub study_uid: Option<&'a str>,
-    /// UID of the frame of reference of the first input, used where that states none.
+    /// UID of the frame of reference of the first input, used if that input states none.
     pub frame_uid: Option<&'a str>,
     /// Largest size of an input after decompression, bytes.
     pub max_inflated_bytes: usize,
 }
 
-/// Why a surface is not written as a segmentation.
+/// Reasons why a surface cannot be written as a segmentation.
 #[derive(Debug, thiserror::Error)]
 pub enum SegmentationError {
     /// Neither input is a DICOM object, and no study is given.
     #[error("neither input is a DICOM object, and no study is given")]
     NotDicom,
-    /// It encloses nothing.
+    /// The surface encloses nothing.
     #[error("the surface is open, so that it encloses no voxels")]
     Open,
-    /// The grid of the input is much too fine for it.
+    /// The grid of the input is far too fine for the surface.
     #[error("the surface would take more than a billion voxels on this grid")]
     TooLarge,
     /// An input cannot be read.
@@ -50,11 +51,11 @@ pub enum SegmentationError {
     Input(#[from] FormatError),
 }
 
-/// The object as a file of part 10: one segment, `label`, of the frames that it has voxels in. `surface` is in RAS, mm;
-/// `created_at` is when it was computed: `YYYYMMDDHHMMSS`, UTC. Equal inputs give equal bytes.
+/// The object as a file of part 10: one segment, `label`, with only the frames in which it has voxels. `surface` is in
+/// RAS, mm; `created_at` is the time of its computation, `YYYYMMDDHHMMSS`, UTC. Equal inputs give equal bytes.
 ///
-/// Frames have the size of those of the input, or more where the surface reaches beyond them. Without a grid, voxels are
-/// cubes, [128 along](VOXELS_ALONG) the longest side of the surface.
+/// Frames have the size of the input's frames, or a larger one if the surface reaches beyond them. Without a grid,
+/// voxels are cubes, [128 along](VOXELS_ALONG) the longest side of the surface.
 ///
 /// # Errors
 /// [`SegmentationError`].
@@ -88,7 +89,7 @@ pub fn write_segmentation(
     let uid = |what: &[u8]| {
         let hashes = [&plain[0], &plain[1]].map(|bytes| *blake3::hash(bytes).as_bytes());
         let mut parts: Vec<&[u8]> = vec![b"segmentation", what, &hashes[0], &hashes[1], &places, label.as_bytes()];
-        // Objects of different studies are different objects.
+        // Objects in different studies are different objects.
         if let Study::Named(uid) = study {
             parts.push(uid.as_bytes());
         }
@@ -114,7 +115,7 @@ pub fn write_segmentation(
         (0x0020_0011, b"IS", "1"),
         (0x0020_0013, b"IS", "1"),
         (FRAME_OF_REFERENCE, b"UI", &frame),
-        // Unknown, and to be there.
+        // Required by the standard; the value is unknown.
         (0x0020_1040, b"LO", ""),
         (0x0020_9311, b"CS", "3D"),
         (0x0028_0004, b"CS", "MONOCHROME2"),
@@ -169,7 +170,7 @@ fn segment(label: &str) -> Elements {
     segment
 }
 
-/// Frames are told apart by their segment and their position.
+/// Frames are distinguished by their segment and their position.
 fn dimensions(body: &mut Elements, uid: &str) {
     let mut organization = Elements::default();
     organization.text(0x0020_9164, b"UI", uid);
@@ -195,14 +196,14 @@ struct Grid {
     size: [i64; 2],
 }
 
-/// Voxels of the frames that have any.
+/// Voxels of the nonempty frames.
 struct Voxels {
     columns: usize,
     rows: usize,
     n_frames: usize,
     /// Index of the first voxel on the lattice.
     origin: [i64; 3],
-    /// A bit each, the lowest first, frames one after the other.
+    /// One bit per voxel, the lowest first, frames one after the other.
     packed: Vec<u8>,
 }
 
@@ -214,14 +215,14 @@ impl Grid {
             let [columns, rows, _] = volume.dims().map(|d| d as i64);
             let affine = *volume.affine();
             let axes: [Vector3<f64>; 2] = [0, 1].map(|k| affine.fixed_view::<3, 1>(0, k).normalize());
-            // Frames of DICOM have right angles; slices may be shifted against each other.
+            // DICOM frames have right angles; slices may be shifted against each other.
             if axes[0].dot(&axes[1]).abs() < 1e-4 {
                 return Ok(Grid { affine, size: [columns, rows] });
             }
         }
         let (low, high) = surface.bounding_box();
         let spacing = ((high - low).max() / VOXELS_ALONG).max(f64::MIN_POSITIVE);
-        // Columns run to the left, rows to the back, as those of most images.
+        // Columns run to the left and rows to the back, as in most images.
         let mut affine = Matrix4::from_diagonal(&Vector4::new(-spacing, -spacing, spacing, 1.0));
         affine.set_column(3, &Vector4::new(high.x, high.y, low.z, 1.0));
         Ok(Grid { affine, size: [0, 0] })
@@ -230,7 +231,7 @@ impl Grid {
     /// The voxels whose centers the surface winds around.
     fn voxels(&self, surface: &SurfaceMesh) -> Result<Voxels, SegmentationError> {
         let to_voxel = self.affine.try_inverse().ok_or(SegmentationError::TooLarge)?;
-        // A surface on the lattice would pass through centers; this far from them it does not.
+        // A surface on the lattice would pass through centers; this small shift prevents it.
         let apart = Vector3::new(1.37e-7, 2.11e-7, 0.0);
         let places: Vec<Point3<f64>> = surface.vertices().iter().map(|p| to_voxel.transform_point(p) + apart).collect();
         let first = places[0];
@@ -259,7 +260,8 @@ impl Grid {
                 for x in range(0) {
                     let (px, py) = (x as f64, y as f64);
                     let part = |p: Point3<f64>, q: Point3<f64>| (p.x - px) * (q.y - py) - (q.x - px) * (p.y - py);
-                    // A line along an edge belongs to one of its two triangles: that in which the edge runs upwards.
+                    // A line along an edge belongs to only one of its two triangles: the one in which the edge runs
+                    // upwards.
                     let within = |value: f64, p: Point3<f64>, q: Point3<f64>| {
                         let value = value * area.signum();
                         value > 0.0 || value == 0.0 && ((p.y, p.x) < (q.y, q.x)) == (area > 0.0)
@@ -286,7 +288,7 @@ impl Grid {
                 }
             }
         }
-        // Frames without voxels at both ends are left out; between them they stay, so that the stack has no gap.
+        // Empty frames at both ends are left out; those in between stay, so that the stack has no gap.
         let has_any = |z: &usize| inside[z * columns * rows..][..columns * rows].contains(&true);
         let (bottom, top) = ((0..depth).find(has_any).unwrap_or(0), (0..depth).rfind(has_any).unwrap_or(0));
         let kept = &inside[bottom * columns * rows..(top + 1) * columns * rows];
@@ -296,7 +298,7 @@ impl Grid {
     }
 
     fn column_lps(&self, k: usize) -> Vector3<f64> {
-        // The same change of axes leads from LPS to RAS and back.
+        // The same change of axes maps LPS to RAS and back.
         lps::affine_to_ras(&self.affine).fixed_view::<3, 1>(0, k).into_owned()
     }
 
@@ -327,7 +329,7 @@ impl Grid {
         position.text(0x0020_0032, b"DS", &numbers.join("\\"));
         let mut content = Elements::default();
         content.add(0x0020_9157, b"UL", &[1u32.to_le_bytes(), (k as u32 + 1).to_le_bytes()].concat());
-        // It may be shared by all frames, but not all programs expect that.
+        // The standard allows all frames to share it, but not all programs expect that.
         let mut segment = Elements::default();
         segment.add(0x0062_000b, b"US", &1u16.to_le_bytes());
         let mut frame = Elements::default();
@@ -363,7 +365,7 @@ mod tests {
         read_dicom_seg(&[bytes], &ReadLimits::default(), &Default::default()).unwrap().volume
     }
 
-    /// Centers of the voxels of a volume that belong to the segment, and of those that do not.
+    /// Centers of the voxels of a volume inside the segment, and of those outside.
     fn centers(volume: &LabelVolume) -> [Vec<Point3<f64>>; 2] {
         let [nx, ny, _] = volume.dims();
         let mut found = [Vec::new(), Vec::new()];
@@ -380,7 +382,7 @@ mod tests {
         let first = segmented(&small, b"ply", &patient()).unwrap();
         let cubes = voxels(&first);
         assert!((cubes.spacing_mm()[2] - 24.0 / 128.0).abs() < 1e-9);
-        // On the grid of that one, a larger ball that reaches beyond it, and a ring whose hole stays open.
+        // On the grid of the input: a larger ball that reaches beyond it, and a ring whose hole stays open.
         let ball = ellipsoid(Vector3::repeat(10.0), 5);
         let ring = torus(8.0, 2.0, 200, 80, FaceArity::Quad);
         let radius = |p: &Point3<f64>| p.coords.norm() - 10.0;
@@ -427,7 +429,7 @@ mod tests {
         let uids = [Some("1.9.1"), Some("1.9.2")];
         let of_none = read(&named(&ball, b"ply", b"stl", uids).unwrap());
         assert_eq!(of_none, ["", "1.9.1", "1.9.2", "SEG"]);
-        // What an input states itself goes first.
+        // Identifiers stated by an input take precedence.
         assert_eq!(read(&named(&ball, &patient(), b"ply", uids).unwrap()), of_own);
         assert_eq!(read(&named(&ball, b"ply", &patient(), uids).unwrap()), ["Doe^Jane", "1.2.3", "1.9.2", "SEG"]);
         let open = SurfaceMesh::new(ball.vertices().to_vec(), FaceArity::Triangle, ball.indices()[3..].to_vec());

@@ -1,13 +1,14 @@
-//! DICOM Spatial Registration: the rigid transform as an object of the study that the source belongs to.
+//! DICOM Spatial Registration: the rigid transform as an object in the study of the source.
 //!
-//! Source: DICOM PS3.3, sections A.39 and C.20.2 (Spatial Registration), and PS3.10, section 7 (file). Written by hand in
-//! explicit little endian, as [`super::dicom`] reads: a library would bring a dictionary of all attributes for forty of them.
+//! Source: DICOM PS3.3, sections A.39 and C.20.2 (Spatial Registration), and PS3.10, section 7 (file). Hand-written, in
+//! explicit little endian as read by [`super::dicom`]: a library would bring a dictionary of all attributes for forty
+//! of them.
 //!
-//! The registered coordinate system is the frame of reference of the target. Patient and study are those of the source, or of
-//! the target where the source is no DICOM object, so that a structure matched to a template of another format keeps its
-//! study; where neither is one, a study may be given. A file that is no DICOM object has the frame of reference that is given
-//! for it, or one named by its content: the same template has the same one.
-//! Equal inputs give an object with the same UID.
+//! The registered coordinate system is the frame of reference of the target. Patient and study are those of the source,
+//! or of the target if the source is not a DICOM object, so that a structure matched to a template of another format
+//! keeps its study. If neither is one, a study may be given. A file that is not a DICOM object has the frame of
+//! reference given for it, or one named by its content, so that equal templates have equal ones. Equal inputs give an
+//! object with the same UID.
 
 use super::budget::{self, Budget};
 use super::dicom::{DataSet, SOP_CLASS, SOP_INSTANCE, is_dicom, read_file};
@@ -28,15 +29,15 @@ pub struct RegisteredFiles<'a> {
     pub target: &'a [u8],
     /// UID of the study, used where neither input is a DICOM object.
     pub study_uid: Option<&'a str>,
-    /// UIDs of the frames of reference of source and target, used where the input states none.
+    /// UIDs of the frames of reference of source and target, used if the input states none.
     pub frame_uids: [Option<&'a str>; 2],
     /// Largest size of an input after decompression, bytes.
     pub max_inflated_bytes: usize,
 }
 
-/// The object as a file of part 10. `created_at` is when the transform was computed: `YYYYMMDDHHMMSS`, UTC.
-/// `Ok(None)` if neither input is a DICOM object and no study is given. The patient of a given study is unknown: the
-/// attributes are there and empty.
+/// The object as a file of part 10. `created_at` is the time at which the transform was computed: `YYYYMMDDHHMMSS`,
+/// UTC. `Ok(None)` if neither input is a DICOM object and no study is given. The patient of a given study is unknown:
+/// its attributes are present and empty.
 ///
 /// # Errors
 /// [`FormatError`] if an input is a DICOM object that cannot be read.
@@ -65,7 +66,7 @@ pub fn write_spatial_registration(
     let given = if matches!(study, Study::Named(_)) { study_uid.as_bytes() } else { &[] };
     let uid = |what: &[u8]| {
         let mut parts: Vec<&[u8]> = vec![what, &of_inputs[0], &of_inputs[1], &numbers];
-        // Objects of different studies are different objects.
+        // Objects in different studies are different objects.
         parts.extend((!given.is_empty()).then_some(given));
         uid_of(&parts)
     };
@@ -86,7 +87,7 @@ pub fn write_spatial_registration(
     body.text(0x0020_0011, b"IS", "1");
     body.text(0x0020_0013, b"IS", "1");
     body.text(FRAME_OF_REFERENCE, b"UI", &frames[1]);
-    // Unknown, and to be there.
+    // Required by the standard; the value is unknown.
     body.text(0x0020_0060, b"CS", "");
     body.text(0x0020_1040, b"LO", "");
     body.text(0x0070_0080, b"CS", "REGISTRATION");
@@ -101,7 +102,7 @@ pub fn write_spatial_registration(
     Ok(Some(file(CLASS, &instance, &body)))
 }
 
-/// The data set of a DICOM file; `None` if it is no such file.
+/// The data set of a DICOM file; `None` for other files.
 fn data_set<'a>(
     bytes: &'a [u8],
     inflated: &'a mut Vec<u8>,
@@ -111,18 +112,19 @@ fn data_set<'a>(
     if is_dicom(bytes) { read_file(bytes, inflated, limits, &budget).map(|(set, _)| Some(set)) } else { Ok(None) }
 }
 
-/// `F · M · F` with `F = diag(−1, −1, 1, 1)`: the same map in LPS.
+/// `F · M · F` with `F = diag(−1, −1, 1, 1)`: the same transform in LPS.
 fn in_lps(target_from_source: &[[f64; 4]; 4]) -> Matrix4<f64> {
     let flip = Matrix4::from_diagonal(&Vector4::new(-1.0, -1.0, 1.0, 1.0));
     flip * Matrix4::from_fn(|r, c| target_from_source[r][c]) * flip
 }
 
-/// Rigid unless the transform mirrors, which a rigid one of DICOM does not.
+/// Rigid, unless the transform mirrors: rigid transforms of DICOM do not.
 fn kind(matrix: &Matrix4<f64>) -> &'static str {
     if matrix.fixed_view::<3, 3>(0, 0).determinant() > 0.0 { "RIGID" } else { "AFFINE" }
 }
 
-/// An item of the registration sequence: how a frame of reference, and `input` in it, is mapped to that of the object.
+/// An item of the registration sequence: the map from a frame of reference, and from `input` in it, to the frame of the
+/// object.
 fn registration(frame: &str, input: Option<&DataSet<'_>>, matrix: &Matrix4<f64>) -> Elements {
     let numbers: Vec<String> = (0..16).map(|k| decimal(matrix[(k / 4, k % 4)])).collect();
     let mut one = Elements::default();
@@ -148,7 +150,7 @@ fn instance_of(set: &DataSet<'_>) -> Elements {
     instance
 }
 
-/// References to the inputs: those of the study, and those of others.
+/// References to the inputs: those in the study, and the others.
 fn references(body: &mut Elements, study_uid: &str, inputs: [Option<&DataSet<'_>>; 2]) {
     let series = |set: &DataSet<'_>| {
         let mut series = Elements::default();
@@ -158,7 +160,7 @@ fn references(body: &mut Elements, study_uid: &str, inputs: [Option<&DataSet<'_>
     };
     let (mut here, mut elsewhere, mut seen) = (Vec::new(), Vec::new(), Vec::new());
     for set in inputs.into_iter().flatten() {
-        // A file matched with itself is referred to once.
+        // A file matched with itself is referenced once.
         let instance = set.text(SOP_INSTANCE);
         if seen.contains(&instance) {
             continue;
@@ -265,7 +267,7 @@ mod tests {
         let ([patient, study, instance], frames) = given("1.2.3");
         assert_eq!((patient.as_str(), study.as_str(), frames), ("", "1.2.3", ["1.2.6".to_owned(), "1.2.5".to_owned()]));
         assert_ne!(given("1.2.4").0[2], instance, "another study, another object");
-        // What an input states itself goes first.
+        // Identifiers stated by an input take precedence.
         let source = input("Doe^Jane", "1.2.3", "1.2.5", "1.2.7");
         let ([patient, study, _], frames) =
             texts(named(&source, b"ply", Some("1.9.1"), [Some("1.9.2"), Some("1.9.3")]));

@@ -1,10 +1,11 @@
 //! STL, ASCII and binary. The format has no shared vertices, so they are welded on reading.
 //!
-//! Source: StereoLithography Interface Specification, 3D Systems, 1988. A binary file is 80 bytes of free text, a count, and 50
-//! bytes for each facet; its text may begin with "solid" too, so the kind is found from the bytes. Where the count disagrees
-//! with the length, the length decides if it is that of whole facets and the count states fewer, or none: writers that stream
-//! leave it at 0. Where the count states more, or what follows the facets is neither facets nor a short rest, the file is
-//! refused. An ASCII file without `endsolid` is read only if its surface is closed: else it may have been cut off.
+//! Source: StereoLithography Interface Specification, 3D Systems, 1988. A binary file is 80 bytes of free text, a
+//! count, and 50 bytes for each facet. Its text may begin with "solid" too, so the kind is determined from the bytes.
+//! If the count disagrees with the length, the length decides provided that it fits whole facets and the count states
+//! fewer, or none: streaming writers leave the count at 0. If the count states more, or if the bytes after the facets
+//! are neither facets nor a short rest, the file is refused. An ASCII file without `endsolid` is read only if its
+//! surface is closed: otherwise it may have been cut off.
 
 use super::budget::Budget;
 use super::polygons::{MeshFile, Polygons};
@@ -19,19 +20,19 @@ use std::hash::{DefaultHasher, Hasher as _};
 const TEXT_BYTES: usize = 80;
 const HEADER_BYTES: usize = 84;
 const FACET_BYTES: usize = 50;
-/// Bytes that joining takes for each corner and for each place of corners.
+/// Bytes needed for joining, per corner and per distinct position.
 const CORNER_BYTES: usize = 32;
 const PLACE_BYTES: usize = 240;
-/// As much of a file as is looked at to tell text from binary.
+/// Bytes of a file that are inspected to distinguish text from binary.
 const HEAD_BYTES: usize = 1024;
 
-/// Whether these bytes are STL of either kind.
+/// Whether `bytes` are STL of either kind.
 pub(super) fn is_stl(bytes: &[u8]) -> bool {
     is_ascii(bytes) || stated_facets(bytes).is_some_and(|n| n > 0 && bytes.len() as u64 == length_of(n))
 }
 
-/// Whether these bytes can be binary STL whose count is wrong: facets that all have finite coordinates. There may be none where the
-/// name of the file says that it is STL.
+/// Whether `bytes` can be binary STL with a wrong count: facets that all have finite coordinates. There may be no
+/// facets if the name of the file indicates STL.
 pub(super) fn may_be_stl(bytes: &[u8], is_named_so: bool) -> bool {
     let Some(facets) = bytes.get(HEADER_BYTES..) else { return false };
     (is_named_so || facets.len() >= FACET_BYTES)
@@ -49,7 +50,7 @@ fn stated_facets(bytes: &[u8]) -> Option<u64> {
     Some(u32::from_le_bytes(*count).into())
 }
 
-/// Whether the begin of a file is text.
+/// Whether the start of a file is text.
 fn is_text(bytes: &[u8]) -> bool {
     let head = &bytes[..bytes.len().min(HEAD_BYTES)];
     !head.iter().any(|&byte| byte < b' ' && !byte.is_ascii_whitespace() && byte != 0x0b)
@@ -62,7 +63,7 @@ fn is_ascii(bytes: &[u8]) -> bool {
     (is_keyword || begins(b"facet normal")) && is_text(bytes)
 }
 
-/// Whether a facet has numbers that coordinates can be.
+/// Whether a facet has plausible coordinates.
 fn is_plausible(facet: &[u8]) -> bool {
     corners_of(facet).iter().all(|p| p.iter().all(|c| c.is_finite() && c.abs() < 1e12))
 }
@@ -78,13 +79,13 @@ pub fn read_stl(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     read_soup(bytes, limits)?.joined(limits)
 }
 
-/// What a file holds: three corners for each facet. It is many times smaller than a file of text, which need not be held while
-/// equal corners are joined.
+/// Content of a file: three corners for each facet. It is many times smaller than a text file, which need not be held
+/// while equal corners are joined.
 pub(super) struct Soup {
     corners: Vec<Point3<f64>>,
     notes: Vec<String>,
     unit: Option<Unit>,
-    /// The number of lines of text that ends before its solid does.
+    /// The number of lines, if the text ends before its solid does.
     cut_off_at: Option<usize>,
 }
 
@@ -129,7 +130,7 @@ impl Soup {
             polygons.push([k, k + 1, k + 2])?;
         }
         let mut file = polygons.into_mesh()?;
-        // Tables of corners and faces, and of places, while equal corners are joined.
+        // Tables of corners, faces and positions, while equal corners are joined.
         budget.charge(n_corners * CORNER_BYTES + n_distinct * PLACE_BYTES)?;
         file.mesh = weld(&file.mesh)?.mesh;
         file.welded = true;
@@ -149,7 +150,7 @@ impl Soup {
     }
 }
 
-/// How many of these places differ, but for places of one hash.
+/// Number of distinct positions, up to hash collisions.
 fn distinct(corners: &[Point3<f64>], budget: &Budget) -> Result<usize, FormatError> {
     budget.charge_of::<u64>(corners.len())?;
     let mut hashes: Vec<u64> = corners
@@ -216,13 +217,13 @@ fn corners_of(facet: &[u8]) -> [Point3<f64>; 3] {
     [12, 24, 36].map(|at| corner(&facet[at..at + 12]))
 }
 
-/// The corners of all facets, and whether the last solid has its end.
+/// The corners of all facets, and whether the last solid is complete.
 fn ascii_corners(bytes: &[u8], limits: &ReadLimits, budget: &Budget) -> Result<(Vec<Point3<f64>>, bool), FormatError> {
     let mut scanner = Scanner::new(super::text::without_preamble(bytes));
     let mut corners = Vec::new();
     let is_title = scanner.peek().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     if is_title {
-        // The free text after "solid" may hold any word.
+        // The free text after "solid" may contain any word.
         scanner.text_line();
     }
     let (mut in_loop, mut is_open) = (None, true);
@@ -262,7 +263,7 @@ fn corner(scanner: &mut Scanner<'_>) -> Result<Point3<f64>, FormatError> {
 /// A binary STL file, single precision; quads are split along their first diagonal.
 pub fn write_stl(mesh: &SurfaceMesh) -> Vec<u8> {
     let triangles = mesh.triangles();
-    let mut file = b"binary STL, millimetres".to_vec();
+    let mut file = b"binary STL, millimeters".to_vec();
     file.resize(80, b' ');
     file.extend((triangles.len() as u32).to_le_bytes());
     for t in triangles {

@@ -2,7 +2,7 @@
 
 use super::FormatError;
 
-/// A position in a file, and the number of its line.
+/// A position in a file, with its line number.
 #[derive(Debug, Clone)]
 pub(super) struct Scanner<'a> {
     bytes: &'a [u8],
@@ -10,7 +10,7 @@ pub(super) struct Scanner<'a> {
     line: usize,
 }
 
-/// What C takes for white space.
+/// White space as defined by C.
 fn is_blank(byte: u8) -> bool {
     byte.is_ascii_whitespace() || byte == 0x0b
 }
@@ -20,8 +20,8 @@ pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(|b| is_blank(*b)).filter(|word| !word.is_empty())
 }
 
-/// A real number as `strtod` of C reads it and as C libraries write it: `.5`, `5.`, `+1`, `1e5`, `-inf`, `nan`, and the
-/// `1.#QNAN` and `-1.#IND` of older Windows programs. `None` if it is not one.
+/// A real number in the notation of `strtod` in C and of C libraries: `.5`, `5.`, `+1`, `1e5`, `-inf`, `nan`, and the
+/// `1.#QNAN` and `-1.#IND` of older Windows programs. `None` if it is invalid.
 pub(super) fn real(word: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(word).ok()?;
     if let Ok(value) = text.parse() {
@@ -40,12 +40,12 @@ pub(super) fn real(word: &[u8]) -> Option<f64> {
     }
 }
 
-/// A whole number; `None` if it is not one.
+/// A whole number; `None` if it is invalid.
 pub(super) fn whole<T: std::str::FromStr>(word: &[u8]) -> Option<T> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// The text of a file without what may stand before it and means nothing: a byte order mark of UTF-8, blanks and empty lines.
+/// The text of a file without a meaningless preamble: a byte order mark of UTF-8, blanks and empty lines.
 pub(super) fn without_preamble(bytes: &[u8]) -> &[u8] {
     let blanks = |bytes: &[u8]| bytes.iter().take_while(|b| is_blank(**b)).count();
     let bytes = &bytes[blanks(bytes)..];
@@ -78,8 +78,8 @@ impl<'a> Scanner<'a> {
         self.clone().line().unwrap_or_default()
     }
 
-    /// The rest of this line without its end, which is LF, CR LF or CR alone, as in files of old Macintosh programs; `None` at
-    /// the end of the file. For files that are text to their end.
+    /// The rest of this line without its end, which is LF, CR LF or a lone CR, as in files of old Macintosh programs;
+    /// `None` at the end of the file. Use it for files that are entirely text.
     pub(super) fn text_line(&mut self) -> Option<&'a [u8]> {
         let rest = self.bytes.get(self.at..).filter(|r| !r.is_empty())?;
         let length = rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
@@ -94,7 +94,7 @@ impl<'a> Scanner<'a> {
         self.line_ended_by(b'\n')
     }
 
-    /// The same where lines end with another byte.
+    /// Like [`Self::line`], for lines that end with another byte.
     pub(super) fn line_ended_by(&mut self, end: u8) -> Option<&'a [u8]> {
         let rest = self.bytes.get(self.at..).filter(|r| !r.is_empty())?;
         let length = rest.iter().position(|&b| b == end).unwrap_or(rest.len());
@@ -130,10 +130,10 @@ impl<'a> Scanner<'a> {
         self.bytes.get(self.at..).unwrap_or_default()
     }
 
-    /// The next word as a real number, as C reads it.
+    /// The next word as a real number in C notation.
     ///
     /// # Errors
-    /// `Syntax` if it is not one.
+    /// `Syntax` if it is invalid.
     pub(super) fn real(&mut self, expected: &'static str) -> Result<f64, FormatError> {
         self.word().and_then(real).ok_or_else(|| self.expected(expected))
     }
@@ -141,17 +141,17 @@ impl<'a> Scanner<'a> {
     /// The next word as a whole number.
     ///
     /// # Errors
-    /// `Syntax` if it is not one.
+    /// `Syntax` if it is invalid.
     pub(super) fn number<T: std::str::FromStr>(&mut self, expected: &'static str) -> Result<T, FormatError> {
         let word = self.word().and_then(|w| std::str::from_utf8(w).ok());
         word.and_then(|w| w.parse().ok()).ok_or_else(|| self.expected(expected))
     }
 
-    /// What follows the last of `stated` rows of `width` numbers: nothing but blanks and zeros, or words, of which a note is
-    /// returned.
+    /// Checks the text after the last of `stated` rows of `width` numbers. Blanks and zeros are accepted; other words
+    /// are accepted with a note.
     ///
     /// # Errors
-    /// `CountMismatch` if further numbers follow, of which the count of rows is wrong.
+    /// `CountMismatch` if further numbers follow, which means that the count of rows is wrong.
     pub(super) fn check_end(
         &mut self,
         what: &'static str,

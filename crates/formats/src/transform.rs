@@ -1,22 +1,22 @@
 //! Writers of rigid and affine transforms in the conventions of other programs.
 //!
-//! The input is `target_from_source`, 4×4, row by row: it maps points of the source, in RAS millimetres as in NIfTI, onto
-//! the target. A file may hold another matrix, where the program that reads it expects that.
+//! The input is `target_from_source`, 4×4, row by row: it maps points of the source, in RAS millimeters as in NIfTI,
+//! onto the target. The written matrix may differ, if the reading program expects another convention.
 
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Vector4};
 
-/// The matrix itself as text: four lines of four numbers, as `numpy.loadtxt` and most registration programs read it.
+/// The matrix itself as text: four lines of four numbers, readable by `numpy.loadtxt` and most registration programs.
 pub fn write_matrix_text(target_from_source: &[[f64; 4]; 4]) -> String {
     target_from_source.iter().map(|row| row.map(|v| format!("{v:?}")).join(" ") + "\n").collect()
 }
 
-/// An ITK transform file (`.tfm`), as ITK, ANTs and 3D Slicer read it. `None` if the matrix has no inverse.
+/// An ITK transform file (`.tfm`) for ITK, ANTs and 3D Slicer. `None` if the matrix has no inverse.
 ///
-/// ITK uses LPS coordinates and maps points of the fixed image to the moving one, because resampling looks up each fixed
-/// voxel in the moving image. With the target fixed and the source moving, the file
-/// therefore holds `F · target_from_source⁻¹ · F`, where `F = diag(−1, −1, 1, 1)` swaps RAS and LPS. To resample the
-/// source image onto the grid of the target it is used as it is; in 3D Slicer it is applied to the source node.
+/// ITK uses LPS coordinates and maps points of the fixed image to the moving one, because resampling looks up each
+/// fixed voxel in the moving image. With the target fixed and the source moving, the file therefore holds `F ·
+/// target_from_source⁻¹ · F`, where `F = diag(−1, −1, 1, 1)` swaps RAS and LPS. It resamples the source image onto the
+/// grid of the target without changes; in 3D Slicer it is applied to the source node.
 ///
 /// # Source
 /// ITK Software Guide, "Transforms"; 3D Slicer developer guide, "Transforms" (file convention LPS, fixed to moving).
@@ -35,10 +35,10 @@ pub fn write_itk_transform(target_from_source: &[[f64; 4]; 4]) -> Option<String>
     ))
 }
 
-/// A FreeSurfer linear transform array (`.lta`) of type 1 (RAS to RAS), source to target: the matrix as it is.
+/// A FreeSurfer linear transform array (`.lta`) of type 1 (RAS to RAS), source to target: the unchanged matrix.
 ///
-/// `volumes` are the label volumes of source and target, whose geometry the file states. That of an input that is a mesh is
-/// written as invalid, with the values that FreeSurfer writes for an unknown volume; programs that need it take `--src` and
+/// `volumes` are the label volumes of source and target, whose geometry the file states. The geometry of a mesh input
+/// is written as invalid, with FreeSurfer's values for an unknown volume; programs that need it take `--src` and
 /// `--trg` (`lta_convert`) or `--mov` and `--targ`.
 ///
 /// # Source
@@ -56,7 +56,7 @@ pub fn write_lta(target_from_source: &[[f64; 4]; 4], volumes: [Option<&LabelVolu
     )
 }
 
-/// Size, spacing, directions of the axes and the place of the middle, as FreeSurfer states them.
+/// Size, spacing, directions of the axes and position of the middle, in FreeSurfer's form.
 fn volume_geometry(volume: &LabelVolume) -> String {
     let (affine, size, spacing) = (volume.affine(), volume.dims(), volume.spacing_mm());
     let row = |v: [f64; 3]| v.map(|v| format!("{v:.15e}")).join(" ");

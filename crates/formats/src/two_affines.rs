@@ -1,22 +1,23 @@
-//! Two statements of one file about where its voxels lie, held against each other: in side, scale, direction and place.
+//! Compares two statements of one file about the position of its voxels: side, scale, direction and place.
 
 use nalgebra::{Matrix4, Vector3};
 
-/// Relative difference of lengths that rounding to single precision and to the digits of a header does not explain.
+/// Relative difference of lengths above which two affines disagree: more than the rounding of single precision and
+/// header digits.
 const SCALE_RTOL: f64 = 0.01;
-/// Difference of places, in voxels, and of directions, in the sine of the angle, that is not rounding.
+/// Difference of places, in voxels, and of directions, in the sine of the angle, above which two affines disagree.
 const PLACE_TOLERANCE: f64 = 0.1;
 
-/// In what two affines of a file differ.
+/// Disagreement between two affines of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Disagreement {
-    /// A sentence about it.
+    /// A sentence on the disagreement.
     pub(super) note: String,
-    /// Whether they are of different handedness: what is left by one is right by the other.
+    /// Whether their handedness differs: one affine's left is the other's right.
     pub(super) sides: bool,
 }
 
-/// Compares the affine that was taken with the other one, of a volume of this size; `None` if they agree.
+/// Compares the chosen affine with the other one, for a volume of this size; `None` if they agree.
 pub(super) fn compare(
     taken: &Matrix4<f64>,
     other: &Matrix4<f64>,
@@ -34,7 +35,7 @@ pub(super) fn compare(
         found.push("in side: what is left by one is right by the other".to_owned());
     }
     found.extend(scales(lengths, others));
-    // Of the directions without side and scale, the largest angle.
+    // The largest angle between the directions, without side and scale.
     let angle = (0..3)
         .map(|k| (a.column(k).dot(&b.column(k)) / (lengths[k] * others[k])).abs().clamp(0.0, 1.0).acos())
         .fold(0.0, f64::max);
@@ -53,13 +54,13 @@ pub(super) fn compare(
     disagreement(found, sides, name, other_name)
 }
 
-/// Compares the affine that was taken with the voxel sizes alone that the file states.
+/// Compares the chosen affine with the voxel sizes stated by the file.
 pub(super) fn compare_sizes(
     taken: &Matrix4<f64>,
     stated: Vector3<f64>,
     [name, other_name]: [&str; 2],
 ) -> Option<Disagreement> {
-    // Sizes of 0 are not stated.
+    // Sizes of 0 count as not stated.
     let is_stated = stated.iter().all(|&size| size.is_finite() && size > 0.0);
     let found = if is_stated { scales(sizes(taken), stated) } else { None };
     disagreement(found.into_iter().collect(), false, name, other_name)
@@ -111,7 +112,7 @@ mod tests {
             let names = ["sform", "qform"];
             let taken = affine(angles, sizes, place);
             prop_assert_eq!(compare(&taken, &taken.map(|v| f64::from(v as f32)), dims, names), None);
-            // Mirrored about the middle of the volume, as when an axis is stored the other way round.
+            // Mirrored about the middle of the volume, as if an axis were stored in reverse.
             let mut mirrored = taken;
             let column = -taken.column(axis).into_owned();
             mirrored.set_column(axis, &column);

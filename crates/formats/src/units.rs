@@ -1,19 +1,19 @@
-//! Units of length that files state: by name in fields that are made for it, and in free text such as the comments of an OBJ
-//! file, where programs write `1 unit = 1000 mm`, `File units = meters` or `UNITS=mm`.
+//! Units of length stated by files: by name in dedicated fields, and in free text such as the comments of an OBJ file,
+//! where programs write `1 unit = 1000 mm`, `File units = meters` or `UNITS=mm`.
 
-/// A unit of length: how many millimetres one of the file's lengths is.
+/// A unit of length of a file, in millimeters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unit {
     pub(super) mm: f64,
 }
 
 impl Unit {
-    /// `None` if no length can have this unit.
+    /// `None` if a length cannot have this unit.
     fn new(mm: f64) -> Option<Self> {
         (1e-9..=1e9).contains(&mm).then_some(Unit { mm })
     }
 
-    /// What a report says of coordinates that were converted; `None` for millimetres, which stay as they are.
+    /// Note of a report on converted coordinates; `None` for millimeters, which are not converted.
     pub(super) fn note(self) -> Option<String> {
         let Unit { mm } = self;
         (mm != 1.0).then(|| {
@@ -22,7 +22,7 @@ impl Unit {
     }
 }
 
-/// The unit that a word names, alone or as `mm`, `"mm"`, `Millimeters`, `µm`.
+/// The unit named by a word, alone or in forms like `mm`, `"mm"`, `Millimeters`, `µm`.
 pub(super) fn named(word: &str) -> Option<Unit> {
     let word = word.trim_matches(|c: char| c.is_whitespace() || "\"'.,;()[]".contains(c)).to_lowercase();
     let mm = match word.as_str() {
@@ -41,7 +41,7 @@ pub(super) fn named(word: &str) -> Option<Unit> {
     Some(Unit { mm })
 }
 
-/// Whether a field of this name holds a unit of length, as a string.
+/// Whether a field of this name holds a unit of length as a string.
 pub(super) fn is_field(name: &str) -> bool {
     let letters: String = name.chars().filter(char::is_ascii_alphanumeric).collect();
     let known = ["unit", "units", "unitslabel", "lengthunit", "lengthunits", "unitoflength", "spaceunit", "spaceunits"];
@@ -60,7 +60,7 @@ enum Word {
     Per,
     /// A word that may stand between the others, such as `=` or `is`.
     Joining,
-    /// What lengths are of, such as `coordinates`.
+    /// A word for the measured lengths, such as `coordinates`.
     Lengths,
     Other,
 }
@@ -82,17 +82,17 @@ fn word(text: &str) -> Word {
     }
 }
 
-/// The longest line that is searched for a unit, bytes.
+/// Largest length of a line that is searched for a unit, bytes.
 const MAX_LINE_BYTES: usize = 1000;
 
-/// [`stated`] of a line as it is in the file, of which no copy is made if it is long.
+/// [`stated`] for a raw line of the file, which is not copied if it is long.
 pub(super) fn stated_in(line: &[u8]) -> Option<Unit> {
     if line.len() > MAX_LINE_BYTES { None } else { stated(&String::from_utf8_lossy(line).replace('\0', " ")) }
 }
 
 /// The unit that a line of free text states; `None` if it states none.
 pub(super) fn stated(line: &str) -> Option<Unit> {
-    // Most comments end here.
+    // This rejects most comments.
     if !line.is_ascii() && !line.contains(['µ', 'μ']) || line.len() > MAX_LINE_BYTES {
         return None;
     }
@@ -161,7 +161,7 @@ mod tests {
             ("# unit normals", None),
             ("# Vertices: 246", None),
             ("# 5 points in a row", None),
-            ("surface, millimetres", None),
+            ("surface, millimeters", None),
             ("# one unit = one voxel", None),
             ("# 1 unit = 0 mm", None),
             ("# exported in 2024", None),

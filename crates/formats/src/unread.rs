@@ -1,4 +1,4 @@
-//! Formats that are known and not read: what they are, and what to send instead.
+//! Formats that are recognized but not read: their names, and what to send instead.
 
 use super::detect::has_root;
 use super::freesurfer;
@@ -9,14 +9,14 @@ const MODEL: &str = "export the surface as PLY, STL or OBJ";
 const PACKED: &str = "unpack it and send one file of it, or compress that with gzip";
 const IMAGE: &str = "send the surface or label volume itself, not a picture of it";
 
-/// Formats by the bytes with which they begin: what they are, and what to send instead.
+/// Formats by their first bytes: name, and what to send instead.
 const BY_MAGIC: [(&[u8], &str, &str); 44] = [
     (b"\x89HDF\r\n\x1a\n", "an HDF5 file (MINC 2, VTKHDF or others)", LABELS),
     (b"CDF\x01", "a NetCDF file (MINC 1)", LABELS),
     (b"CDF\x02", "a NetCDF file (MINC 1)", LABELS),
     (b"Kaydara FBX Binary", "FBX", MODEL),
     (b"; FBX", "FBX", MODEL),
-    (b"glTF", "glTF", "export the surface as PLY, STL or OBJ in millimetres: glTF is in metres"),
+    (b"glTF", "glTF", "export the surface as PLY, STL or OBJ in millimeters: glTF is in meters"),
     (b"BLENDER", "a file of Blender", MODEL),
     (b"PXR-USDC", "USD", MODEL),
     (b"#usda", "USD", MODEL),
@@ -61,10 +61,10 @@ const BY_MAGIC: [(&[u8], &str, &str); 44] = [
     (b"SIMPLE  =", "a FITS image", "convert the label volume to NIfTI"),
 ];
 
-/// The format of a file that is none of those that are read, if it is known. `extension` is that of its name.
+/// The format of a file that is recognized but not read, if any. `extension` is the extension of its name.
 pub(super) fn named(bytes: &[u8], extension: &str) -> Option<(&'static str, &'static str)> {
     let text = without_preamble(bytes.get(..4096).unwrap_or(bytes));
-    // A polygonal surface: material, number of points, then a point to a line.
+    // A polygonal surface: material, number of points, then one point per line.
     let mni = text.starts_with(b"P ") && words(&text[2..]).take(5).all(|word| real(word).is_some());
     if mni || extension == "obj" && bytes.starts_with(b"p") && text.contains(&0) {
         let advice = "convert it to GIFTI or PLY, for example with ConvertSurface of AFNI or with Surf Ice";
@@ -82,7 +82,7 @@ pub(super) fn named(bytes: &[u8], extension: &str) -> Option<(&'static str, &'st
     }
     let has = |word: &[u8]| text.windows(word.len()).any(|w| w == word);
     if text.starts_with(b"{") && has(b"\"asset\"") {
-        return Some(("glTF", "export the surface as PLY, STL or OBJ in millimetres: glTF is in metres"));
+        return Some(("glTF", "export the surface as PLY, STL or OBJ in millimeters: glTF is in meters"));
     }
     if text.starts_with(b"ascii") && extension == "mesh" {
         return Some(("a BrainVISA .mesh surface", "convert it to GIFTI (AimsFileConvert)"));

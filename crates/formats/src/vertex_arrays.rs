@@ -1,17 +1,17 @@
-//! Per-vertex arrays, written to the same file as the mesh.
+//! Per-vertex arrays that are written to the same file as the mesh.
 
 use homolog_mesh::SurfaceMesh;
 
 /// A named array with one value for each vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VertexArray {
-    /// One word of ASCII letters, digits and `_`, which is a valid name in every format.
+    /// One word of ASCII letters, digits and `_`, valid as a name in every format.
     pub name: &'static str,
     /// Its values.
     pub values: VertexValues,
 }
 
-/// The values of a [`VertexArray`], in a type that every format supports.
+/// The values of a [`VertexArray`], in types that every format supports.
 #[derive(Debug, Clone, PartialEq)]
 pub enum VertexValues {
     /// Whole numbers.
@@ -32,13 +32,14 @@ impl VertexValues {
         }
     }
 
-    /// Whether there are none.
+    /// Whether there are no values.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 }
 
-/// The arrays with one value per vertex of the mesh. One of another length would shift all data after it in a binary file.
+/// The arrays with one value per vertex of the mesh. An array of another length would shift all later data in a binary
+/// file.
 pub(super) fn fitting<'a>(mesh: &SurfaceMesh, arrays: &'a [VertexArray]) -> impl Iterator<Item = &'a VertexArray> {
     let n_vertices = mesh.n_vertices();
     debug_assert!(arrays.iter().all(|a| a.values.len() == n_vertices), "an array needs a value for each vertex");

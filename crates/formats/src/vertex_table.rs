@@ -4,7 +4,7 @@ use super::npy::npy_file;
 use super::vertex_arrays::{VertexArray, VertexValues};
 use std::fmt::Write;
 
-/// Rows that every array has.
+/// Number of rows that every array has.
 fn n_rows(arrays: &[VertexArray]) -> usize {
     arrays.iter().map(|array| array.values.len()).min().unwrap_or(0)
 }

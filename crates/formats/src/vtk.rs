@@ -1,9 +1,10 @@
 //! Legacy VTK poly data, versions 1.0 to 5.1, ASCII and binary (big-endian).
 //!
-//! Source: "VTK File Formats", The VTK User's Guide, and what VTK 9 writes. Read are `POINTS`, `POLYGONS` (each
-//! face with its count, or since 5.1 `OFFSETS` and `CONNECTIVITY`) and `TRIANGLE_STRIPS`; vertices, lines, fields
-//! and metadata are skipped, but for a unit of length that a field of strings, the metadata of the points (`UNITS_LABEL`) or
-//! the title states; reading ends at `POINT_DATA` or `CELL_DATA`, whose counts must be those of the points and cells.
+//! Source: "VTK File Formats", The VTK User's Guide, and the output of VTK 9. `POINTS`, `POLYGONS` (each face with its
+//! count, or since 5.1 `OFFSETS` and `CONNECTIVITY`) and `TRIANGLE_STRIPS` are read. Vertices, lines, fields and
+//! metadata are skipped, except for a unit of length stated by a field of strings, the metadata of the points
+//! (`UNITS_LABEL`) or the title. Reading ends at `POINT_DATA` or `CELL_DATA`, whose counts must equal those of the
+//! points and cells.
 
 use super::budget::Budget;
 use super::element::{ByteOrder, Element};
@@ -63,7 +64,7 @@ pub fn read_vtk(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                 break;
             }
             word if word.iter().chain(reader.scanner.rest()).all(|&byte| byte == 0) => break,
-            // Numbers, and bytes that are no text, are what a count conceals.
+            // Numbers and bytes that are not text mean that a count is too small.
             word if reader.n_cells > 0 && real(word).is_none() && word.iter().all(u8::is_ascii_graphic) => {
                 trailing = Some(super::trailing_note(word.len() + reader.scanner.remaining()));
                 break;
@@ -90,7 +91,7 @@ enum Cells {
     Skipped,
 }
 
-/// The type of numbers that a name of the file means.
+/// The number type for a name in the file.
 fn element_of_name(name: &[u8]) -> Option<Element> {
     Some(match name.to_ascii_lowercase().as_slice() {
         b"char" | b"signed_char" | b"vtktypeint8" => Element::I8,
@@ -111,7 +112,7 @@ struct VtkReader<'a> {
     scanner: Scanner<'a>,
     binary: bool,
     polygons: Polygons<'a>,
-    /// Cells of all kinds.
+    /// Number of cells of all kinds.
     n_cells: u64,
     unit: Option<Unit>,
     limits: &'a ReadLimits,
@@ -124,21 +125,21 @@ impl<'a> VtkReader<'a> {
         element_of_name(name).ok_or_else(|| self.scanner.expected("a number type such as float or int"))
     }
 
-    /// Rejects a count of numbers for which the rest of the file is too short.
+    /// Rejects a count of numbers that exceeds the rest of the file.
     fn check(&self, n: u64, element: Element, part: &'static str) -> Result<(), FormatError> {
-        // In text a number takes a digit and a blank; the last may do without.
+        // In text a number takes a digit and a blank; the last number needs no blank.
         let needed = n.saturating_mul(if self.binary { element.size() as u64 } else { 2 });
         let available = self.scanner.remaining() as u64;
         if needed > available + 1 { Err(FormatError::Truncated { part, needed, available }) } else { Ok(()) }
     }
 
-    /// Holds the count of a section of data against what it describes.
+    /// Checks the count of a data section against the number of described items.
     fn check_data(&mut self, what: &'static str, found: u64) -> Result<(), FormatError> {
         let stated: u64 = self.scanner.number("the number of values")?;
         if stated == found { Ok(()) } else { Err(FormatError::CountMismatch { what, stated, found }) }
     }
 
-    /// Ends the line of a keyword: binary data begin right after it.
+    /// Ends the line of a keyword: binary data begin directly after it.
     fn end_line(&mut self) {
         if self.binary {
             self.scanner.line();
@@ -237,7 +238,7 @@ impl<'a> VtkReader<'a> {
         }
     }
 
-    /// Skips everything up to an empty line, but for the name of a unit.
+    /// Skips everything up to an empty line, except the name of a unit.
     fn metadata(&mut self) {
         self.scanner.line();
         let mut is_unit = false;
@@ -287,8 +288,8 @@ impl<'a> VtkReader<'a> {
         Ok(())
     }
 
-    /// Skips strings or bits; the last string. A string in a binary file begins with its length, in 1, 2, 4 or 8 bytes, as the
-    /// highest two bits of the first say.
+    /// Skips strings or bits; returns the last string. A string in a binary file begins with its length, in 1, 2, 4 or
+    /// 8 bytes, which the highest two bits of the first byte encode.
     fn other(&mut self, n: u64, is_string: bool) -> Result<&'a [u8], FormatError> {
         let part = "a field";
         if self.binary && !is_string {
@@ -297,7 +298,7 @@ impl<'a> VtkReader<'a> {
         let mut text: &'a [u8] = &[];
         for _ in 0..n {
             if !self.binary {
-                // Strings are a line each, bits words.
+                // Strings take a line each, bits are words.
                 let rest = if is_string { self.scanner.line() } else { self.scanner.word() };
                 text = rest.ok_or_else(|| self.scanner.expected("as many values as the array announces"))?;
                 continue;
@@ -321,13 +322,13 @@ pub fn write_vtk(mesh: &SurfaceMesh) -> Vec<u8> {
     write_vtk_with(mesh, &[])
 }
 
-/// As [`write_vtk`], with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
+/// [`write_vtk`] with `POINT_DATA`: a field of arrays of `int`, `double` and `unsigned_char`.
 pub fn write_vtk_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let arrays: Vec<_> = fitting(mesh, arrays).collect();
-    let mut file = b"# vtk DataFile Version 5.1\nsurface, millimetres\nBINARY\nDATASET POLYDATA\n".to_vec();
+    let mut file = b"# vtk DataFile Version 5.1\nsurface, millimeters\nBINARY\nDATASET POLYDATA\n".to_vec();
     file.extend(format!("POINTS {} double\n", mesh.n_vertices()).into_bytes());
     file.extend(mesh.vertices().iter().flat_map(|p| p.iter()).flat_map(|c| c.to_be_bytes()));
-    // Offsets of the faces in the list of corners, one more than there are faces.
+    // Offsets of the faces in the list of corners, one more than the number of faces.
     let (n, n_corners) = (mesh.n_faces(), mesh.arity().n_corners());
     file.extend(format!("\nPOLYGONS {} {}\nOFFSETS vtktypeint64\n", n + 1, mesh.indices().len()).into_bytes());
     file.extend((0..=n).flat_map(|face| ((face * n_corners) as i64).to_be_bytes()));

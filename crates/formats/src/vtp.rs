@@ -1,9 +1,9 @@
 //! VTK XML poly data (`.vtp`): ASCII, inline base64 and appended (raw or base64), plain or zlib, read and written.
 //!
-//! Source: "VTK XML Formats", VTK documentation, and what VTK 9 writes. Read are the points, the polygons and the strips of
-//! all pieces; vertices, lines and fields are skipped. A field of the name `SPACE` with the value `LPS`, as 3D Slicer writes
-//! it, is taken as the space of the coordinates, and a unit of length is applied that a field such as `Units` or the key
-//! `UNITS_LABEL` of the points names. The counts of each piece must be those of its arrays.
+//! Source: "VTK XML Formats", VTK documentation, and the output of VTK 9. The points, the polygons and the strips of
+//! all pieces are read; vertices, lines and fields are skipped. A field `SPACE` with the value `LPS`, written by 3D
+//! Slicer, is taken as the space of the coordinates. A unit of length is applied if a field such as `Units` or the key
+//! `UNITS_LABEL` of the points names it. The counts of each piece must equal those of its arrays.
 
 use super::budget::Budget;
 use super::element::{ByteOrder, Element};
@@ -42,7 +42,7 @@ pub fn read_vtp(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
                         file.array = StoredArray::new(&tag, open.last().map_or("", String::as_str))
                     }
                     "AppendedData" => {
-                        // Raw data are no XML, so reading of elements ends here.
+                        // Raw data are not XML, so reading of elements ends here.
                         let rest = &bytes[xml.position()..];
                         let start = rest.iter().position(|&b| b == b'_').ok_or_else(|| xml.damaged())? + 1;
                         file.appended = Some((&rest[start..], tag.get("encoding") == "base64"));
@@ -72,11 +72,11 @@ pub fn read_vtp(bytes: &[u8], limits: &ReadLimits) -> Result<MeshFile, FormatErr
     file.mesh(&xml, limits)
 }
 
-/// What the attributes of the root say of all arrays.
+/// Attributes of the root that apply to all arrays.
 #[derive(Clone, Copy)]
 struct Header {
     order: ByteOrder,
-    /// Type of the lengths before the data.
+    /// Type of the lengths that precede the data.
     lengths: Element,
     compressed: bool,
 }
@@ -112,16 +112,16 @@ impl Header {
 struct VtpFile<'a> {
     header: Header,
     pieces: Vec<Piece>,
-    /// The array that is open.
+    /// The open array.
     array: Option<StoredArray>,
-    /// Field of the name `SPACE`.
+    /// The field `SPACE`.
     space: Option<StoredArray>,
-    /// Field that names a unit.
+    /// The field that names a unit.
     unit: Option<StoredArray>,
-    /// Whether the open key is that of the unit of the points, and its text.
+    /// Whether the open key is the unit of the points, and its text.
     is_unit: bool,
     unit_label: Vec<u8>,
-    /// Appended data, and whether they are base64.
+    /// Appended data, and whether they are in base64.
     appended: Option<(&'a [u8], bool)>,
     budget: &'a Budget,
 }
@@ -129,7 +129,7 @@ struct VtpFile<'a> {
 #[derive(Default)]
 struct Piece {
     n_points: u64,
-    /// Polygons and strips that the piece states, where it does.
+    /// Numbers of polygons and strips stated by the piece, if any.
     n_cells: [Option<u64>; 2],
     points: Option<StoredArray>,
     /// Connectivity and offsets.
@@ -144,10 +144,10 @@ impl Piece {
     }
 }
 
-/// An array before its data are decoded.
+/// An array with undecoded data.
 struct StoredArray {
     place: Place,
-    /// `None` for types that hold no numbers.
+    /// `None` for types without numbers.
     element: Option<Element>,
     storage: Storage,
     is_string: bool,
@@ -168,12 +168,12 @@ enum Place {
 enum Storage {
     Ascii,
     Inline,
-    /// At this position of the appended data.
+    /// Position in the appended data.
     Appended(usize),
 }
 
 impl StoredArray {
-    /// The array if it is one of those that are used.
+    /// The array, if it is one of the used ones.
     fn new(tag: &Tag, parent: &str) -> Option<Self> {
         let name = tag.get("Name");
         let list = ["connectivity", "offsets"].iter().position(|known| name.eq_ignore_ascii_case(known));
@@ -319,7 +319,7 @@ impl<'a> VtpFile<'a> {
     }
 }
 
-/// Cells by the ends of their lists of corners.
+/// Cells, given by the ends of their lists of corners.
 struct Cells {
     corners: Vec<i64>,
     ends: Vec<i64>,
@@ -333,7 +333,7 @@ impl Cells {
 }
 
 impl Header {
-    /// The data of an array: its lengths, then the data themselves. `Ok(None)` if they are damaged.
+    /// The data of an array: its lengths, then the data. `Ok(None)` if they are damaged.
     ///
     /// # Errors
     /// `TooLarge` beyond the budget.
@@ -357,7 +357,7 @@ impl Header {
         let Some((n_blocks, head_bytes)) = n_blocks.zip(head_bytes) else { return Ok(None) };
         let Some(sizes) = data.piece(0, head_bytes)? else { return Ok(None) };
         let sizes = self.lengths.charged_wholes(&sizes[3 * size..], self.order, budget)?;
-        // Lengths and data are encoded one after the other, each with its own padding.
+        // Lengths and data are encoded one after the other, with separate padding.
         let begin = if is_text { encoded_bytes(head_bytes) } else { Some(head_bytes) };
         let stored = sizes.iter().try_fold(0usize, |sum, &n| sum.checked_add(usize::try_from(n).ok()?));
         let Some((begin, stored)) = begin.zip(stored) else { return Ok(None) };
@@ -378,7 +378,7 @@ impl Header {
     }
 }
 
-/// Data of arrays, as bytes or as their text.
+/// Data of arrays, as bytes or as text.
 struct Data<'a> {
     bytes: &'a [u8],
     is_text: bool,
@@ -386,7 +386,7 @@ struct Data<'a> {
 }
 
 impl Data<'_> {
-    /// `n` bytes at a position, which counts characters where the data are text. `Ok(None)` if they are not there.
+    /// `n` bytes at a position, which counts characters if the data are text. `Ok(None)` if the data are too short.
     ///
     /// # Errors
     /// `TooLarge` beyond the budget.
@@ -407,7 +407,7 @@ impl Data<'_> {
     }
 }
 
-/// Characters of `n` bytes in base64.
+/// Number of base64 characters for `n` bytes.
 fn encoded_bytes(n: usize) -> Option<usize> {
     n.div_ceil(3).checked_mul(4)
 }
@@ -417,7 +417,7 @@ pub fn write_vtp(mesh: &SurfaceMesh) -> Vec<u8> {
     write_vtp_with(mesh, &[])
 }
 
-/// As [`write_vtp`], with `PointData`.
+/// [`write_vtp`] with `PointData`.
 pub fn write_vtp_with(mesh: &SurfaceMesh, arrays: &[VertexArray]) -> Vec<u8> {
     let (n, m) = (mesh.n_vertices(), mesh.n_faces());
     let mut text = format!(

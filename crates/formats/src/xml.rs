@@ -1,4 +1,4 @@
-//! The elements of an XML file, one by one, and the binary data that XML formats hold: base64 and zlib.
+//! The elements of an XML file, one by one, and the binary data of XML formats: base64 and zlib.
 
 use super::FormatError;
 use super::budget::Budget;
@@ -19,7 +19,7 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
         .with_decode_allow_trailing_bits(true),
 );
 
-/// How deep elements may be nested, and the longest start tag: both are held while they are read.
+/// Largest nesting depth of elements, and largest size of a start tag: both are held during reading.
 const MAX_DEPTH: usize = 256;
 const MAX_TAG_BYTES: usize = 1 << 16;
 
@@ -41,14 +41,14 @@ pub(super) struct Tag {
 impl Tag {
     fn new(tag: &BytesStart<'_>) -> Self {
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        // Checks for repeated names take quadratic time in the number of attributes.
+        // Checking for repeated names takes quadratic time in the number of attributes.
         let mut attributes = tag.attributes();
         let attributes =
             attributes.with_checks(false).flatten().map(|a| (text(a.key.as_ref()), text(&a.value))).collect();
         Tag { name: text(tag.name().as_ref()), attributes }
     }
 
-    /// The value of an attribute, without blanks around it; empty if there is none.
+    /// The value of an attribute, trimmed; empty if it is absent.
     pub(super) fn get(&self, name: &str) -> &str {
         self.attributes.iter().find(|(key, _)| key == name).map_or("", |(_, value)| value.trim())
     }
@@ -77,7 +77,7 @@ impl<'a> Xml<'a> {
     /// The next node; `None` at the end of the file.
     ///
     /// # Errors
-    /// `Payload` if this is no well-formed XML, or nested deeper than any file of these formats.
+    /// `Payload` if this is not well-formed XML, or is nested deeper than any file of these formats.
     pub(super) fn next(&mut self) -> Result<Option<Node<'a>>, FormatError> {
         loop {
             return match self.reader.read_event() {
@@ -107,13 +107,13 @@ impl<'a> Xml<'a> {
         FormatError::Payload { format: self.format, line: Some(1 + before.iter().filter(|&&b| b == b'\n').count()) }
     }
 
-    /// Bytes before the next node.
+    /// Number of bytes before the next node.
     pub(super) fn position(&self) -> usize {
         usize::try_from(self.reader.buffer_position()).map_or(self.bytes.len(), |at| at.min(self.bytes.len()))
     }
 }
 
-/// The bytes that base64 text means; blanks and line ends are skipped. `Ok(None)` if it is no base64.
+/// The decoded bytes of base64 text; blanks and line ends are skipped. `Ok(None)` if it is not base64.
 ///
 /// # Errors
 /// `TooLarge` beyond the budget.
@@ -126,7 +126,7 @@ pub(super) fn base64(text: &[u8], budget: &Budget) -> Result<Option<Vec<u8>>, Fo
     Ok(decoded)
 }
 
-/// The bytes of a zlib or gzip stream, of which there must be exactly `n_bytes`. `Ok(None)` if it is damaged or its length
+/// The bytes of a zlib or gzip stream, which must be exactly `n_bytes`. `Ok(None)` if it is damaged or its length
 /// differs.
 ///
 /// # Errors
@@ -135,8 +135,8 @@ pub(super) fn inflate(stream: &[u8], n_bytes: usize, budget: &Budget) -> Result<
     Ok(inflate_up_to(stream, n_bytes, n_bytes, budget)?.filter(|plain| plain.len() == n_bytes))
 }
 
-/// The bytes of a zlib or gzip stream of which `expected` are used, or the first of them: one more than `limit` at most.
-/// `Ok(None)` if it is damaged.
+/// The first bytes of a zlib or gzip stream, of which `expected` are used: at most one more than `limit`. `Ok(None)` if
+/// it is damaged.
 ///
 /// # Errors
 /// `TooLarge` beyond the budget.
@@ -159,7 +159,7 @@ pub(super) fn inflate_up_to(
     read_charged(flate2::read::ZlibDecoder::new(stream).take(limit as u64 + 1), plain, budget)
 }
 
-/// What a decoder gives, after what is there already. `Ok(None)` if it is damaged.
+/// Appends the output of a decoder. `Ok(None)` if it is damaged.
 ///
 /// # Errors
 /// `TooLarge` beyond the budget.

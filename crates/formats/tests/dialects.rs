@@ -113,7 +113,7 @@ fn files_of_other_programs_give_the_surface_that_they_hold() {
 #[test]
 fn label_volumes_of_other_programs_give_the_voxels_that_they_hold() {
     for (name, n_voxels, spacing) in [
-        ("micrometres.nrrd.gz", 3752, 1.0),
+        ("micrometers.nrrd.gz", 3752, 1.0),
         ("byte_skip.nrrd.gz", 3752, 1.0),
         ("empty_field.nrrd.gz", 3752, 1.0),
         ("sparse.dcm", 3403, 1.0),
@@ -126,7 +126,7 @@ fn label_volumes_of_other_programs_give_the_voxels_that_they_hold() {
     let sparse = file(&fixture("field/sparse.dcm"), None).unwrap();
     assert_eq!(volume_of(&sparse).dims()[2], 14);
     assert!(sparse.notes.iter().any(|note| note.contains("2 of the 14 slices")), "{:?}", sparse.notes);
-    let note = file(&fixture("field/micrometres.nrrd.gz"), None).unwrap().notes.join("; ");
+    let note = file(&fixture("field/micrometers.nrrd.gz"), None).unwrap().notes.join("; ");
     assert!(note.contains("0.001 mm"), "{note}");
     let plain = file(&fixture("field/no_preamble.dcm"), Some("a.dcm")).unwrap();
     assert_eq!(plain.format, homolog_formats::InputFormat::DicomSeg);

@@ -46,7 +46,7 @@ fn one_surface_gives_the_same_mesh_in_every_format() {
     }
 }
 
-/// Label and position in RAS, in thousandths of a millimetre, of every voxel, in order of position: some formats may only
+/// Label and position in RAS, in thousandths of a millimeter, of every voxel, in order of position: some formats may only
 /// store the slices in the opposite order.
 fn places(labels: &[u32], affine: &Matrix4<f64>) -> Vec<([i64; 3], u32)> {
     let [nx, ny, _] = samples::DIMS;

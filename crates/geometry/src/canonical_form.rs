@@ -1,14 +1,15 @@
-//! The bending-invariant form of a surface: points in space whose straight distances are the geodesic distances of the
-//! surface, as nearly as three dimensions allow.
+//! The bending-invariant form of a surface: points in space whose Euclidean distances approximate the geodesic
+//! distances of the surface, as closely as three dimensions allow.
 //!
-//! A surface and the same surface bent, folded or with its limbs moved have nearly the same geodesic distances, and so
-//! nearly the same form, whatever their poses. A rigid registration of the forms starts a correspondence where no rigid
-//! registration of the surfaces does.
+//! Bending, folding or moving the limbs of a surface hardly changes its geodesic distances, and hardly changes its
+//! form, whatever the pose. A rigid registration of the forms can therefore start a correspondence where a rigid
+//! registration of the surfaces cannot.
 //!
 //! 1. Geodesic distances `d_ij` between all pairs of sites, along edges and across the two triangles of an edge.
 //! 2. Classical scaling: the three largest eigenvectors of `−½ J D² J`.
-//! 3. Majorization (SMACOF) of the stress `Σ w_ij (‖x_i − x_j‖ − d_ij)²` with `w_ij = 1 / d_ij`, from there.
-//! 4. The mirror image in which neighborhoods have the handedness that they have on the surface.
+//! 3. Majorization (SMACOF) of the stress `Σ w_ij (‖x_i − x_j‖ − d_ij)²` with `w_ij = 1 / d_ij`, starting from the
+//!    scaling.
+//! 4. The mirror image whose neighborhoods have the same handedness as on the surface.
 //!
 //! Source: Elad, Kimmel, "On bending invariant signatures for surfaces", IEEE PAMI 25(10), 2003; de Leeuw, "Applications of
 //! convex analysis to multidimensional scaling", 1977 (SMACOF).
@@ -18,25 +19,26 @@ use faer::{Mat, Side};
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Steps of majorization; the stress changes by less than a percent after them.
+/// Steps of majorization; further steps change the stress by less than a percent.
 const STEPS: usize = 30;
 
-/// Sites of a neighborhood: itself and two rings.
+/// Number of sites in a neighborhood: the site itself and two rings.
 pub const NEIGHBORS: usize = 13;
 
-/// The form of a surface over some places on it.
+/// The form of a surface over a set of sites on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CanonicalForm {
-    /// A point for each site, about the origin, mm.
+    /// A point for each site, relative to the origin, mm.
     pub points: Vec<Point3<f64>>,
-    /// For each site the sites nearest along the surface, itself first, [`NEIGHBORS`] in all where there are as many.
+    /// For each site the nearest sites along the surface, itself first: [`NEIGHBORS`], or all if there are fewer.
     pub neighbors: Vec<Vec<u32>>,
-    /// `√(Σ w_ij (‖x_i − x_j‖ − d_ij)² / Σ w_ij d_ij²)`: 0 for a surface that three dimensions can hold stretched out.
+    /// `√(Σ w_ij (‖x_i − x_j‖ − d_ij)² / Σ w_ij d_ij²)`: 0 for a surface whose geodesic distances three dimensions can
+    /// hold exactly.
     pub stress: f64,
 }
 
-/// The form of a surface over `sites` on it, from the distances between them along the surface, all in mm. `None` with fewer than four
-/// sites or where a number is not finite.
+/// The form of a surface over its `sites`, from their distances along the surface, all in mm. `None` with fewer than
+/// four sites or if a number is not finite.
 ///
 /// # Cost
 /// `O(sites³)`.
@@ -49,7 +51,8 @@ pub fn canonical_form(sites: &[Point3<f64>], distance: impl Fn(usize, usize) -> 
     if !(largest.is_finite() && largest > 0.0) {
         return None;
     }
-    // Without a unit, so that thresholds inside decompositions mean the same for surfaces of any size.
+    // Relative to the largest distance, so that thresholds inside decompositions mean the same for surfaces of any
+    // size.
     let d = Mat::from_fn(n, n, |i, j| 0.5 * (distance(i, j) + distance(j, i)) / largest);
     let start = classical_scaling(&d)?;
     let (points, stress) = majorized(&d, start)?;
@@ -70,7 +73,7 @@ fn classical_scaling(d: &Mat<f64>) -> Option<Vec<Vector3<f64>>> {
     let centered = Mat::from_fn(n, n, |i, j| -0.5 * (squared(i, j) - row[i] - row[j] + mean));
     let eigen = centered.self_adjoint_eigen(Side::Lower).ok()?;
     let (vectors, values) = (eigen.U(), eigen.S().column_vector());
-    // Ascending; the largest are the last.
+    // Eigenvalues are ascending; the largest are the last.
     let axis = |i: usize, k: usize| vectors[(i, n - 1 - k)] * values[n - 1 - k].max(0.0).sqrt();
     Some((0..n).map(|i| Vector3::new(axis(i, 0), axis(i, 1), axis(i, 2))).collect())
 }
@@ -80,7 +83,7 @@ fn majorized(d: &Mat<f64>, mut x: Vec<Vector3<f64>>) -> Option<(Vec<Vector3<f64>
     let n = d.nrows();
     let weight = |i: usize, j: usize| if i == j || d[(i, j)] <= 0.0 { 0.0 } else { 1.0 / d[(i, j)] };
     let degree: Vec<f64> = (0..n).map(|i| (0..n).map(|j| weight(i, j)).sum()).collect();
-    // The Laplacian of the weights plus a constant, which makes it invertible and changes nothing on centered points.
+    // The Laplacian of the weights plus a constant, which makes it invertible and has no effect on centered points.
     let scale = degree.iter().sum::<f64>() / (n * n) as f64;
     let laplacian = Mat::from_fn(n, n, |i, j| scale + if i == j { degree[i] } else { -weight(i, j) });
     let factor = laplacian.llt(Side::Lower).ok()?;
@@ -110,7 +113,7 @@ fn majorized(d: &Mat<f64>, mut x: Vec<Vector3<f64>>) -> Option<(Vec<Vector3<f64>
     stress.is_finite().then_some((x, stress))
 }
 
-/// For each site the nearest ones, itself first.
+/// For each site the nearest sites, itself first.
 fn nearest(d: &Mat<f64>) -> Vec<Vec<u32>> {
     let n = d.nrows();
     (0..n)
@@ -124,9 +127,9 @@ fn nearest(d: &Mat<f64>) -> Vec<Vec<u32>> {
         .collect()
 }
 
-/// Positive where a map keeps the handedness of neighborhoods, negative where it mirrors them: the sum of the determinants of
-/// the covariances between the `neighbors` of each point and their `images`. A neighborhood that is flat on either side
-/// counts little.
+/// Positive where a map keeps the handedness of neighborhoods, negative where it mirrors them: the sum of the
+/// determinants of the covariances between the `neighbors` of each point and their `images`. Neighborhoods that are
+/// flat on either side count little.
 fn handedness(points: &[Point3<f64>], images: &[Point3<f64>], neighbors: &[Vec<u32>]) -> f64 {
     let of_neighborhood = |near: &Vec<u32>| {
         let mean = |p: &[Point3<f64>]| {

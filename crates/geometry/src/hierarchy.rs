@@ -1,10 +1,10 @@
-//! Coarse levels of a surface: fewer vertices, each standing for a cell of the finer surface.
+//! Coarse levels of a surface: fewer vertices, each representing a cell of the finer surface.
 //!
-//! Sites cover the surface evenly ([`farthest_points`]); every vertex belongs to the cell of the site that is nearest
-//! along edges; wherever three cells meet in a face there is a coarse triangle. With enough sites this is a discrete
-//! version of the intrinsic Delaunay triangulation: closed where the surface is closed, with edges of nearly equal
-//! length, as an energy on edges needs. Decimation by quadrics would place its vertices where the surface bends and
-//! leave long triangles elsewhere.
+//! Sites cover the surface evenly ([`farthest_points`]). Every vertex belongs to the cell of its nearest site along
+//! edges. A coarse triangle joins three cells that meet in a face. With enough sites the result is a discrete version
+//! of the intrinsic Delaunay triangulation: closed where the surface is closed, with edges of nearly equal length, as
+//! an energy on edges needs. Decimation by quadrics would place its vertices where the surface bends and leave long
+//! triangles elsewhere.
 //!
 //! Sources: Peyré, Cohen, "Geodesic remeshing using front propagation", IJCV 69(1), 2006; Dijkstra 1959.
 
@@ -15,9 +15,9 @@ use nalgebra::Point3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Candidate vertices per site, which bounds the time on the finest surfaces.
+/// Candidate vertices per site; limits the time on the finest surfaces.
 const CANDIDATES_PER_SITE: usize = 16;
-/// A site whose cell has no corner is dropped and the cells are recomputed, at most this many times.
+/// Largest number of rounds; each drops sites whose cell has no corner and recomputes the cells.
 const ROUNDS: usize = 32;
 
 /// A coarse level, with the maps to and from the finer surface.
@@ -27,12 +27,13 @@ pub struct CoarseSurface {
     pub mesh: SurfaceMesh,
     /// For every coarse vertex its index on the finer surface; ascending.
     pub sites: Vec<u32>,
-    /// For every finer vertex the coarse vertex whose cell it belongs to.
+    /// For every finer vertex the coarse vertex of its cell.
     pub cells: Vec<u32>,
 }
 
-/// A coarse version of `mesh` with about `n_sites` of its vertices. `None` if it has no more vertices than that, or if
-/// the cells form no surface. `mesh` must be in canonical numbering (see [`homolog_mesh::canonicalize`]).
+/// A coarse version of `mesh` with about `n_sites` of its vertices. `None` if `mesh` has no more than `n_sites`
+/// vertices, or if the cells form no surface. `mesh` must be in canonical numbering (see
+/// [`homolog_mesh::canonicalize`]).
 ///
 /// # Cost
 /// `O(n log n + n_sites²)`.
@@ -62,12 +63,12 @@ pub fn coarsen(mesh: &SurfaceMesh, n_sites: usize) -> Option<CoarseSurface> {
     None
 }
 
-/// For every vertex the index of the site nearest along edges, the lowest of equally near ones. Vertices of a piece without
-/// a site have that of the site nearest through space.
+/// For every vertex the index of its nearest site along edges; ties go to the lowest index. Vertices of a piece without
+/// a site get the nearest site through space.
 fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
     let v = mesh.vertices();
     let mut cell = vec![u32::MAX; v.len()];
-    // Non-negative lengths compare like their bits.
+    // Non-negative lengths compare like their bit patterns.
     let mut front: BinaryHeap<Reverse<(u64, u32, u32)>> =
         sites.iter().enumerate().map(|(k, &s)| Reverse((0, k as u32, s))).collect();
     // The shortest known path to each vertex and its site, so that only improvements enter the queue.
@@ -97,7 +98,7 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
 }
 
 /// The triples of cells that meet in a face, oriented like the face, each once, ascending. Pairs of triangles with the
-/// same corners and opposite orientation, folds without an inside, are left out.
+/// same corners and opposite orientation are folds without an inside and are left out.
 fn coarse_triangles(mesh: &SurfaceMesh, cells: &[u32]) -> Vec<[u32; 3]> {
     let mut found: Vec<[u32; 3]> = mesh
         .triangles()
@@ -156,7 +157,7 @@ mod tests {
             assert_eq!(coarse.cells[site as usize] as usize, k);
             assert_eq!(coarse.mesh.vertices()[k], fine.vertices()[site as usize]);
         }
-        // A vertex lies near the site of its cell: within twice the mean distance of neighbouring sites.
+        // A vertex lies near the site of its cell: within twice the mean distance of neighboring sites.
         let edge = coarse.mesh.mean_edge_length();
         for (p, &k) in fine.vertices().iter().zip(&coarse.cells) {
             assert!((p - coarse.mesh.vertices()[k as usize]).norm() < 2.0 * edge);

@@ -1,6 +1,6 @@
 //! Sparse symmetric positive definite systems, by Cholesky factorization.
 //!
-//! The one place of the workspace that uses faer's generic solvers, so that they are compiled once.
+//! Only this module of the workspace uses faer's generic solvers, so that they are compiled once.
 
 use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
@@ -13,7 +13,7 @@ pub type Place = Pair<usize, usize>;
 /// The pattern of a matrix and the order in which its rows are eliminated, shared by all matrices of that pattern.
 pub struct CholeskyPattern {
     places: SymbolicSparseColMat<usize>,
-    /// From the given order of the entries to that of the matrix.
+    /// Permutation from the given order of the entries to the order in the matrix.
     order: Argsort<usize>,
     factor: SymbolicLlt<usize>,
 }
@@ -22,8 +22,8 @@ pub struct CholeskyPattern {
 pub struct Cholesky(Llt<usize, f64>);
 
 impl CholeskyPattern {
-    /// The pattern of an `n × n` matrix with entries at `places`; entries at the same place add up. `None` if there are
-    /// more than can be counted. Cost `O(places log places)`.
+    /// The pattern of an `n × n` matrix with entries at `places`; entries at the same place add up. `None` if the
+    /// entries are too many to be counted. Cost `O(places log places)`.
     pub fn new(n: usize, places: &[Place]) -> Option<Self> {
         let (places, order) = SymbolicSparseColMat::try_new_from_indices(n, n, places).ok()?;
         let factor = SymbolicLlt::try_new(places.as_ref(), Side::Lower).ok()?;
@@ -39,7 +39,8 @@ impl CholeskyPattern {
 }
 
 impl Cholesky {
-    /// The solution for `n_columns` right sides, `n × n_columns`; `right_side` gives the value at a row and column.
+    /// The solution for `n_columns` right-hand sides, `n × n_columns`; `right_side` gives the value at a row and
+    /// column.
     pub fn solve(&self, n: usize, n_columns: usize, right_side: &dyn Fn(usize, usize) -> f64) -> Mat<f64> {
         self.0.solve(&Mat::from_fn(n, n_columns, right_side))
     }

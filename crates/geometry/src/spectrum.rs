@@ -1,9 +1,11 @@
-//! The lowest eigenvalues and eigenfunctions of the Laplace-Beltrami operator of a surface, and the signatures made of them.
+//! The lowest eigenvalues and eigenfunctions of the Laplace-Beltrami operator of a surface, and signatures computed
+//! from them.
 //!
-//! `L φ = λ A φ` with the cotangent Laplacian `L` and the areas `A` of the vertices. The operator
-//! `A^½ (L + s A)⁻¹ A^½` has the same eigenvectors with eigenvalues `1/(λ + s)`, of which the wanted ones are the largest and
-//! far apart: block Lanczos with full orthogonalization finds them from a few more products than there are pairs. A block,
-//! because one vector finds one eigenvector of a multiple eigenvalue, and symmetric surfaces have those.
+//! The eigenproblem is `L φ = λ A φ` with the cotangent Laplacian `L` and the areas `A` of the vertices. The operator
+//! `A^½ (L + s A)⁻¹ A^½` has the same eigenvectors with eigenvalues `1/(λ + s)`. The lowest `λ` become the largest
+//! eigenvalues, and they are far apart: block Lanczos with full orthogonalization needs only a few more products than
+//! there are pairs. A single vector would find only one eigenvector of a multiple eigenvalue, and symmetric surfaces
+//! have multiple eigenvalues, so blocks are used.
 //!
 //! Sources: Pinkall, Polthier 1993 (cotangents); Vallet, Lévy, "Spectral geometry processing with manifold harmonics",
 //! Computer Graphics Forum 27(2), 2008 (shift and invert); Golub, Underwood, "The block Lanczos method", 1977; Sun,
@@ -15,14 +17,14 @@ use faer::{Mat, Side};
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 
-/// Vectors of a block: surfaces of anatomy have no eigenvalue of a higher multiplicity; a sphere's are 1, 3, 5, …, which the
-/// rounding of several blocks separates.
+/// Vectors per block. Anatomical surfaces have no eigenvalue of a higher multiplicity. The eigenvalues of a sphere have
+/// multiplicities 1, 3, 5, …, which the rounding of several blocks separates.
 const BLOCK: usize = 6;
 /// Largest relative error of an eigenvalue of the inverse.
 const TOLERANCE: f64 = 1e-9;
 /// The shift `s` in inverse areas of the surface; between 0 and the first eigenvalues, which are about 10 to 40.
 const SHIFT: f64 = 1.0;
-/// Least area of a vertex as a share of the mean, so that a vertex without faces has a finite row.
+/// Least area of a vertex as a share of the mean: a vertex without faces then has a finite row.
 const LEAST_AREA: f64 = 1e-6;
 
 /// Eigenpairs, lowest eigenvalue first.
@@ -30,17 +32,17 @@ const LEAST_AREA: f64 = 1e-6;
 pub struct Spectrum {
     /// Eigenvalues, 1/mm²; the first is 0 to rounding.
     pub values: Vec<f64>,
-    /// An eigenfunction a column, `n × k`, 1/mm: orthonormal with the areas as weights. Each has an arbitrary sign.
+    /// Eigenfunctions as columns, `n × k`, 1/mm: orthonormal with the areas as weights. Each has an arbitrary sign.
     pub functions: Mat<f64>,
     /// Areas of the vertices, mm².
     pub areas: Vec<f64>,
 }
 
-/// The `k` lowest eigenpairs of `mesh`; fewer if it has fewer vertices. `None` if no factorization exists: a number is not
-/// finite.
+/// The `k` lowest eigenpairs of `mesh`; fewer if it has fewer vertices. `None` if a number is not finite, so that no
+/// factorization exists.
 ///
 /// # Errors
-/// [`Cancelled`], asked for every block of vectors.
+/// [`Cancelled`]; the observer is asked for every block of vectors.
 ///
 /// # Cost
 /// One sparse Cholesky factorization, about `2.5 k` solves with it, and `O(n k²)`; memory `O(n k)`.
@@ -100,11 +102,11 @@ fn largest(
             checkpoint_within(observer)?;
             let from = basis.len();
             for mut v in next.drain(..) {
-                // Whole blocks: a direction that is left out would never come back.
+                // Only whole blocks: a direction that is left out would never come back.
                 if basis.len() == n {
                     break;
                 }
-                // A direction that the basis holds already is replaced by a random one.
+                // A direction that the basis already contains is replaced by a random one.
                 while !orthonormalized(&mut v, &basis) {
                     v = random(n, &mut stream);
                 }
@@ -121,7 +123,7 @@ fn largest(
         let b = Mat::from_fn(n, m, |i, c| images[c][i]);
         let projected = q.transpose() * &b;
         let Ok(eigen) = projected.self_adjoint_eigen(Side::Lower) else { return Ok(None) };
-        // Ascending there.
+        // Eigenvalues are ascending there.
         let order: Vec<usize> = (0..m).rev().take(k).collect();
         let values: Vec<f64> = order.iter().map(|&c| eigen.S().column_vector()[c]).collect();
         let coordinates = Mat::from_fn(m, k, |i, c| eigen.U()[(i, order[c])]);
@@ -139,8 +141,8 @@ fn largest(
     }
 }
 
-/// Subtracts from `v` what the orthonormal `basis` holds, twice for all digits, and scales it to length 1. False if nothing is
-/// left.
+/// Subtracts from `v` its projection on the orthonormal `basis`, twice for full precision, and scales it to length 1.
+/// False if nothing is left.
 fn orthonormalized(v: &mut [f64], basis: &[Vec<f64>]) -> bool {
     let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let before = norm(v);
@@ -158,7 +160,8 @@ fn orthonormalized(v: &mut [f64], basis: &[Vec<f64>]) -> bool {
     true
 }
 
-/// Numbers in `[−1, 1)` from a multiplicative generator: any start does that is not orthogonal to what is looked for.
+/// Numbers in `[−1, 1)` from a multiplicative generator. Any start works that is not orthogonal to the wanted
+/// eigenvectors.
 fn random(n: usize, state: &mut u64) -> Vec<f64> {
     (0..n)
         .map(|_| {
@@ -174,9 +177,9 @@ impl Spectrum {
         self.areas.len()
     }
 
-    /// The heat kernel signature at `n` times, `n_vertices × n`: `Σ e^(−λt) φ²` over its integral, so that it has no unit
-    /// but 1/area. Times are spaced by their logarithms between those at which the last and the first eigenfunction have
-    /// faded to `1e-4`.
+    /// The heat kernel signature at `n` times, `n_vertices × n`: `Σ e^(−λt) φ²` divided by its integral, so that its
+    /// only unit is 1/area. Times are spaced logarithmically between those at which the last and the first
+    /// eigenfunction have faded to `1e-4`.
     ///
     /// Cost `O(vertices · k · n)`.
     pub fn heat_signature(&self, n: usize) -> Mat<f64> {
@@ -187,8 +190,8 @@ impl Spectrum {
         self.signature(n, &|s, value| (-value * times[s]).exp())
     }
 
-    /// The wave kernel signature at `n` energies, `n_vertices × n`: `Σ exp(−(e − ln λ)²/2σ²) φ²` over the sum of the weights,
-    /// with `σ` of seven steps of the energy as its authors propose.
+    /// The wave kernel signature at `n` energies, `n_vertices × n`: `Σ exp(−(e − ln λ)²/2σ²) φ²` divided by the sum of
+    /// the weights, with `σ` of seven steps of the energy as its authors propose.
     ///
     /// Cost `O(vertices · k · n)`.
     pub fn wave_signature(&self, n: usize) -> Mat<f64> {
@@ -204,7 +207,7 @@ impl Spectrum {
         self.signature(n, &weight)
     }
 
-    /// The first eigenvalue that is not 0, and the last.
+    /// The first nonzero eigenvalue, and the last.
     fn range(&self) -> (f64, f64) {
         let last = self.values.last().copied().unwrap_or(1.0).max(f64::MIN_POSITIVE);
         let first = self.values.iter().copied().find(|v| *v > 1e-6 * last).unwrap_or(last);
@@ -221,7 +224,7 @@ impl Spectrum {
     }
 }
 
-/// Where the `s`-th of `n` values lies between the first, 0, and the last, 1.
+/// Position of the `s`-th of `n` values between the first, 0, and the last, 1.
 fn share(s: usize, n: usize) -> f64 {
     s as f64 / (n - 1).max(1) as f64
 }

@@ -98,9 +98,9 @@ impl Case {
             );
         };
         say("conditional modes from the truth", &relaxed);
-        let from_nothing = found.minimised(&[]);
+        let from_nothing = found.minimized(&[]);
         let mut all = vec![from_nothing.clone()];
-        let mut labelings: Vec<Labeling> = found.of_extremities.iter().map(|bias| found.minimised(bias)).collect();
+        let mut labelings: Vec<Labeling> = found.of_extremities.iter().map(|bias| found.minimized(bias)).collect();
         all.extend_from_slice(&labelings);
         labelings.sort_by(|a, b| energy(a).total_cmp(&energy(b)));
         if let Some(lowest) = labelings.first() {

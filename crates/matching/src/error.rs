@@ -3,7 +3,7 @@
 use homolog_geometry::harmonics::HarmonicsError;
 use homolog_primitives::observe::Cancelled;
 
-/// Why a match has no result. A minimiser that does not converge is no error: the [`crate::MatchOutcome`] says so.
+/// Why a match has no result. A minimizer that does not converge is no error: the [`crate::MatchOutcome`] says so.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MatchError {
     /// The observer asked to stop.
@@ -12,7 +12,7 @@ pub enum MatchError {
     /// No rigid transform is supported by three labels of the first round, and nothing else can give a pose.
     ///
     /// A displacement field can start from the landmarks or from a search of all orientations, and registration alone always
-    /// has a pose. So this is the error of an energy that is minimised without a displacement field (the presets `thesis`,
+    /// has a pose. So this is the error of an energy that is minimized without a displacement field (the presets `thesis`,
     /// `gibbs`, `metropolis` and `las_vegas`), and of a displacement field for which the search found no pose either, as on
     /// surfaces without area.
     #[error("no rigid transform is supported by three correspondences within {tolerance_mm} mm")]

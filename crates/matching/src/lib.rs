@@ -4,14 +4,14 @@
 //!
 //! 1. **Coarse.** If an energy of labels is asked for, curvature in scale space on both surfaces makes it (a Markov random field whose
 //!    variables are source vertices and whose labels are target vertices) on a coarse level of the surfaces.
-//! 2. **Posed.** A minimiser finds a labeling; RANSAC finds the rigid transform that most of its pairs agree with; clamping feeds that
+//! 2. **Posed.** A minimizer finds a labeling; RANSAC finds the rigid transform that most of its pairs agree with; clamping feeds that
 //!    transform back into the energy, round by round; ICP refines it. Or registration alone finds a pose, without an energy. By
 //!    default the pose is left to the field.
 //! 3. **Displaced.** A smooth displacement field moves the source, from the pose that fits best after the deformation,
 //!    and every source vertex gets an image on the target, between vertices. Without a field the images are vertices.
 //! 4. **Measured.** Support, distances, outliers, topology, and the map back to the source.
 //!
-//! The [`Method`]s are presets of [`MatchParameters`]: which minimiser runs, if any, and which stages do what.
+//! The [`Method`]s are presets of [`MatchParameters`]: which minimizer runs, if any, and which stages do what.
 //!
 //! ```
 //! use homolog_matching::{Method, Silent, SurfaceMesh, match_surfaces, preset, shapes};

@@ -42,7 +42,7 @@ fn described_numbers(parameters: &MatchParameters) -> u64 {
 /// Peak memory of matching surfaces of these sizes, bytes; accurate to a tenth where messages dominate. `source` is the
 /// number of vertices and faces.
 ///
-/// On the level on which the energy is minimised: the messages once and a quarter of them again (those that are read while
+/// On the level on which the energy is minimized: the messages once and a quarter of them again (those that are read while
 /// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; a share for each vertex; and that of a
 /// method of the field for each vertex of the thinned surfaces that it is given, the bending-invariant forms, and descriptors of many
 /// channels. A closed

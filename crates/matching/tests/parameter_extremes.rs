@@ -290,7 +290,7 @@ fn the_rows_hold_every_pair_that_is_allowed() {
     assert!(together(("energy.alpha", json!(1000.0)), ("inference.algorithm", json!("sum_product"))));
     assert!(together(("energy.truncation", Value::Null), ("inference.update", json!("active"))));
     assert!(together(("registration.initial", json!("search")), ("displacement.mode", json!("smooth"))));
-    // Registration alone has no minimiser.
+    // Registration alone has no minimizer.
     assert!(!together(("registration.initial", json!("search")), ("inference.algorithm", json!("gibbs"))));
     assert!(rows.iter().all(|row| row.iter().all(Option::is_some)), "every row states every parameter");
 }

@@ -4,8 +4,8 @@ use super::SurfaceMesh;
 use super::topology::DisjointSets;
 
 impl SurfaceMesh {
-    /// For every vertex whether it lies on the boundary, an edge with only one face; `None` for a surface without
-    /// boundary.
+    /// For every vertex whether it lies on the boundary, that is, on an edge with only one face; `None` for a surface
+    /// without boundary.
     ///
     /// Cost `O(faces)` for closed surfaces, `O(faces log faces)` for open ones.
     pub fn boundary_vertices(&self) -> Option<Vec<bool>> {
@@ -15,7 +15,7 @@ impl SurfaceMesh {
         (!edges.is_empty()).then_some(on_boundary)
     }
 
-    /// Lengths of the rims, which are the connected pieces of the boundary, mm, the longest first; without a boundary none.
+    /// Lengths of the rims (connected pieces of the boundary), mm, longest first; empty without a boundary.
     ///
     /// Cost `O(faces)` for closed surfaces, `O(faces log faces)` for open ones.
     pub fn rim_lengths(&self) -> Vec<f64> {
@@ -37,8 +37,8 @@ impl SurfaceMesh {
     /// The edges with only one face, ascending.
     fn boundary_edges(&self) -> Vec<[u32; 2]> {
         let directed = || self.faces().flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])));
-        // On a closed oriented surface every edge is traversed once in each direction, so these sums are equal;
-        // otherwise they differ except with a chance of one in 2^64.
+        // On a closed oriented surface every edge is traversed once in each direction, so these sums are equal.
+        // Otherwise they differ, except with a probability of 2⁻⁶⁴.
         let difference = directed().fold(0u64, |sum, (a, b)| sum.wrapping_add(mixed(a, b)).wrapping_sub(mixed(b, a)));
         if difference == 0 {
             return Vec::new();
@@ -97,7 +97,7 @@ mod tests {
         let on_boundary = half.boundary_vertices().unwrap();
         let rim = on_boundary.iter().filter(|&&b| b).count();
         assert!(rim > 10 && rim < half.n_vertices() / 4, "{rim}");
-        // The rim is where the cut was.
+        // The rim lies where the surface was cut.
         assert!(half.vertices().iter().zip(&on_boundary).filter(|(_, b)| **b).all(|(p, _)| p.x > 0.0));
     }
 }

@@ -1,8 +1,8 @@
 //! A numbering of vertices and faces that depends on their positions alone, not on their order in the input.
 //!
-//! Everything after this step sees the same bytes however the uploaded vertices were numbered, so renumbering
-//! an input permutes the answer exactly, rounding included. The order is along a Morton (Z-order) curve: close
-//! vertices get close numbers, which keeps neighbouring labels near each other in memory.
+//! Every later step sees the same bytes for any numbering of the uploaded vertices, so renumbering an input permutes
+//! the answer exactly, rounding included. Vertices are ordered along a Morton (Z-order) curve: close vertices get close
+//! numbers, which keeps neighboring labels near each other in memory.
 
 use super::{FaceArity, Numbering, SurfaceMesh};
 use std::cmp::Ordering;
@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 pub struct CanonicalMesh {
     /// The renumbered mesh.
     pub mesh: SurfaceMesh,
-    /// Which vertex of the input each of its vertices is.
+    /// For each vertex of the mesh, its vertex in the input.
     pub numbering: Numbering,
 }
 

@@ -1,8 +1,8 @@
 //! Closest points on the triangles of a surface.
 //!
-//! The tree of bounding boxes is parry's, and so is the answer, to the bit: boxes and triangles are visited in the order in which
-//! its own search visits them. That search takes a root for each box and goes down again below boxes that it put off and that are
-//! farther than what it has found since; this one compares squares and leaves those boxes out.
+//! The tree of bounding boxes is parry's, and the answers equal parry's to the bit: boxes and triangles are visited in
+//! the order of parry's own search. Parry's search takes a square root per box, and descends below deferred boxes even
+//! if a closer point has been found since. This search compares squared distances and skips those boxes.
 
 use super::SurfaceMesh;
 use nalgebra::Point3;
@@ -19,15 +19,15 @@ pub struct ClosestPointIndex {
     triangles: Vec<[u32; 3]>,
 }
 
-/// Two boxes side by side, coordinate by coordinate.
+/// Two sibling boxes, stored coordinate by coordinate.
 struct Node {
     low: [[f64; 2]; 3],
     high: [[f64; 2]; 3],
-    /// What each contains: a triangle if [`LEAF`] is set, otherwise a node.
+    /// The child in each box: a triangle if [`LEAF`] is set, otherwise a node.
     children: [u32; 2],
 }
 
-/// Nodes that wait in a search of a tree of usual depth.
+/// Capacity for deferred nodes in a search of a tree of usual depth.
 const MAX_WAITING: usize = 32;
 /// Marks a child that is a triangle.
 const LEAF: u32 = 1 << 31;
@@ -50,13 +50,14 @@ impl ClosestPoint {
         a + b + c
     }
 
-    /// Whether the point is on an edge or a corner of which every end `is_marked`: on the rim, say, beyond which a surface is missing.
+    /// Whether the point lies on an edge or corner whose ends all satisfy `is_marked`, such as a rim beyond which the surface is
+    /// missing.
     pub fn is_between(&self, is_marked: impl Fn(usize) -> bool) -> bool {
         let takes_part = |k: &usize| self.barycentric[*k] >= 1e-6;
         (0..3).filter(takes_part).count() < 3 && (0..3).filter(takes_part).all(|k| is_marked(self.triangle[k] as usize))
     }
 
-    /// The corner of the triangle with the largest barycentric coordinate, the lowest index of equal ones.
+    /// The corner of the triangle with the largest barycentric coordinate; ties go to the lowest index.
     pub fn nearest_corner(&self) -> u32 {
         let mut best = 0;
         for k in 1..3 {
@@ -71,7 +72,7 @@ impl ClosestPoint {
 }
 
 impl Node {
-    /// A node without boxes: they are infinitely far away.
+    /// A node whose boxes are infinitely far away.
     fn empty() -> Self {
         Node { low: [[f64::INFINITY; 2]; 3], high: [[f64::NEG_INFINITY; 2]; 3], children: [LEAF; 2] }
     }
@@ -92,10 +93,10 @@ impl Node {
     }
 }
 
-/// The nodes of a tree in the order of a walk that goes to the left first.
+/// The nodes of a tree in depth-first order, left child first.
 fn nodes_of(tree: &Bvh) -> Vec<Node> {
     let mut nodes: Vec<Node> = Vec::with_capacity(tree.leaf_count() as usize);
-    // Where the next nodes belong: the child of a node.
+    // Slots for the next nodes: (parent, child).
     let mut open: Vec<(usize, usize)> = Vec::new();
     tree.traverse_indexed(None, |entry, place| {
         let (_, is_right) = place.decompose();
@@ -115,7 +116,7 @@ fn nodes_of(tree: &Bvh) -> Vec<Node> {
         if let Some(triangle) = entry.leaf_data() {
             node.children[side] = LEAF | triangle;
         } else if is_right && node.children[0] & LEAF == 0 {
-            // The left one comes next.
+            // The left child comes next.
             let left = open.len() - 1;
             open.insert(left, (at, 1));
         } else {
@@ -127,7 +128,7 @@ fn nodes_of(tree: &Bvh) -> Vec<Node> {
     nodes
 }
 
-/// What a search has found: its distance, and bounds of the square of that distance.
+/// The best result of a search so far: its distance, and bounds of the squared distance.
 struct Best {
     distance: f64,
     certainly_less: f64,
@@ -137,12 +138,12 @@ struct Best {
 impl Best {
     fn at(distance: f64) -> Self {
         let squared = distance * distance;
-        // Wider than the rounding of a product and a root.
+        // Wider than the rounding error of a product and a square root.
         let slack = 8.0 * f64::EPSILON * squared + f64::MIN_POSITIVE;
         Best { distance, certainly_less: squared - slack, certainly_not_less: squared + slack }
     }
 
-    /// Whether the root of `squared` is less than the distance, rounding included.
+    /// Whether the square root of `squared` is less than the distance, rounding included.
     #[inline(always)]
     fn is_farther_than(&self, squared: f64) -> bool {
         squared < self.certainly_less || (squared <= self.certainly_not_less && squared.sqrt() < self.distance)
@@ -178,9 +179,9 @@ impl ClosestPointIndex {
         let at = [query.x, query.y, query.z];
         let point = Vector::new(query.x, query.y, query.z);
         let mut best = Best::at(f64::MAX);
-        // Where no distance is a number.
+        // Result where no distance is a number.
         let mut found = (0, point, TrianglePointLocation::OnVertex(0));
-        // Nodes that were put off, with their squared distances.
+        // Deferred nodes with their squared distances.
         let mut waiting = [(0, 0.0); MAX_WAITING];
         let mut n_waiting = 0;
         let mut more_waiting: Vec<(u32, f64)> = Vec::new();
@@ -188,7 +189,7 @@ impl ClosestPointIndex {
         while let Some(at_node) = next.take() {
             let node = &self.nodes[at_node as usize];
             let squared = node.squared_distances(&at);
-            // The nearer box first, the left one of equally near ones.
+            // The nearer box first; ties go to the left one.
             let is_right_nearer = squared[0] > squared[1]
                 && (squared[0] > (1.0 + 8.0 * f64::EPSILON) * squared[1] || squared[0].sqrt() > squared[1].sqrt());
             let first = usize::from(is_right_nearer);
@@ -255,7 +256,7 @@ mod tests {
         TriMesh::new(vertices, mesh.triangles()).unwrap()
     }
 
-    /// What parry's own search finds.
+    /// The result of parry's own search.
     fn by_parry(tree: &TriMesh, query: &Point3<f64>) -> ClosestPoint {
         let at = Vector::new(query.x, query.y, query.z);
         let (projection, (triangle, location)) = tree.project_local_point_and_get_location(at, false);

@@ -1,16 +1,16 @@
 //! Distances of many points from a surface.
 //!
-//! [`super::ClosestPointIndex`] also finds the closest point, with a tree that has to be built. Where only the distance
-//! is needed, as between two registered surfaces, three things make it faster:
+//! [`super::ClosestPointIndex`] also finds the closest point, but needs a tree that has to be built. Where only the
+//! distance is needed, as between two registered surfaces, three properties make this search faster:
 //!
-//! - the tree follows the numbering: faces in canonical order follow a curve through space, so eight consecutive faces
-//!   are close together, and so are eight such groups; nothing is sorted;
-//! - every group has a bounding box and a bounding slab, a disc of some thickness along its mean normal. Far from a
-//!   fine surface the boxes of many groups are closer than the surface, but few of the slabs;
-//! - queries are answered in sequence, and the triangle found for one bounds the next before its search begins.
+//! - The tree follows the numbering and nothing is sorted: faces in canonical order follow a curve through space, so
+//!   eight consecutive faces are close together, and so are eight such groups.
+//! - Every group has a bounding box and a bounding slab, a disc of some thickness along its mean normal. Far from a
+//!   fine surface, the boxes of many groups are closer than the surface, but few of the slabs are.
+//! - Queries are answered in sequence, and the triangle found for one query bounds the next before its search begins.
 //!
-//! Boxes and slabs only exclude groups that are farther by more than rounding; the distance itself is computed by the
-//! same routine as in [`super::ClosestPointIndex`], so both give the same bits.
+//! Boxes and slabs only exclude groups that are farther by more than rounding. The distance itself is computed by the
+//! routine of [`super::ClosestPointIndex`], so both give the same bits.
 
 use super::SurfaceMesh;
 use multiversion::multiversion;
@@ -24,15 +24,15 @@ use rayon::prelude::*;
 const FAN: usize = 8;
 /// Consecutive queries per task. Fixed, so that the work does not depend on the number of threads.
 const ROW: usize = 256;
-/// Levels with slabs: they pay for flat groups, single triangles and eight of them. On higher levels they excluded
-/// nearly nothing.
+/// Number of lowest levels with slabs. Slabs exclude flat groups: single triangles and groups of eight. On higher
+/// levels they excluded almost nothing.
 const SLAB_LEVELS: usize = 2;
 /// Error of a bound, relative to the numbers it is computed from: about fifty times the rounding of 32 bits.
 const BOUND_RTOL: f64 = 4e-6;
 /// Coordinate of missing children of a node: its squared distance from any query is infinite in 32 bits.
 const NOWHERE: f32 = f32::MAX;
 
-/// Extents, mm, between which 32 bits hold squares of lengths without a scale.
+/// Extents, mm, within which 32 bits hold squared lengths without scaling.
 const SMALLEST: f64 = 1e-12;
 const LARGEST: f64 = 1e12;
 
@@ -43,13 +43,13 @@ type Lanes = [f32; FAN];
 pub struct SurfaceDistances<'a> {
     vertices: &'a [Point3<f64>],
     triangles: Vec<[u32; 3]>,
-    /// From the bounds of single triangles upwards; the last level has one node.
+    /// Bounds by level, from single triangles up; the last level has one node.
     levels: Vec<Vec<Node>>,
-    /// Origin of the bounds, so that 32 bits resolve positions on the surface.
+    /// Origin of the bounds; chosen so that 32 bits resolve positions on the surface.
     center: Point3<f64>,
     /// Largest coordinate relative to `center`, mm.
     extent: f64,
-    /// Factor of lengths in the bounds, a power of two, so that 32 bits hold the squares of lengths of any unit.
+    /// Factor of lengths in the bounds, a power of two: 32 bits then hold squared lengths of any unit.
     scale: f64,
 }
 
@@ -59,7 +59,7 @@ struct Node {
     high: [Lanes; 3],
     /// Center of the slab.
     middle: [Lanes; 3],
-    /// Unit normal of the slab, or zero, which makes it a ball.
+    /// Unit normal of the slab; zero turns the slab into a ball.
     normal: [Lanes; 3],
     radius: Lanes,
     half_thickness: Lanes,
@@ -82,7 +82,7 @@ impl Node {
     fn set_patch(&mut self, k: usize, corners: &[[Vector3<f64>; 3]]) {
         let points = || corners.iter().flatten();
         self.set_box(k, box_around(points()));
-        // Twice the vector area. The slab contains the corners for any direction; this one makes it thin.
+        // Twice the vector area. The slab contains the corners for any normal; this normal makes it thin.
         let area: Vector3<f64> = corners.iter().map(|[a, b, c]| (b - a).cross(&(c - a))).sum();
         let normal = area.try_normalize(f64::MIN_POSITIVE).unwrap_or_default();
         let mean = points().sum::<Vector3<f64>>() / (3 * corners.len()) as f64;
@@ -99,7 +99,7 @@ impl Node {
         (self.radius[k], self.half_thickness[k]) = (across.sqrt() as f32, ((highest - lowest) / 2.0) as f32);
     }
 
-    /// The box around its first `n` children.
+    /// The box around the first `n` children of the node.
     fn around(&self, n: usize) -> [Vector3<f64>; 2] {
         let corner = |of: &[Lanes; 3], k: usize| Vector3::from_fn(|axis, _| f64::from(of[axis][k]));
         let [low, high] = [&self.low, &self.high].map(|of| box_around((0..n).map(|k| corner(of, k))));
@@ -157,12 +157,12 @@ fn box_around(points: impl Iterator<Item = impl std::borrow::Borrow<Vector3<f64>
     points.fold(limits, |[low, high], p| [low.inf(p.borrow()), high.sup(p.borrow())])
 }
 
-/// One search: the least distance so far, and the triangle it is to.
+/// State of one search: the least distance so far, and its triangle.
 struct Search {
     at: Point3<f64>,
     best: f64,
     triangle: usize,
-    /// A group with a bound above this is farther than `best`.
+    /// Groups with a bound above this limit are farther than `best`.
     limit_squared: f32,
     /// Error of the bounds, mm.
     slack: f64,
@@ -206,7 +206,7 @@ fn search(surface: &SurfaceDistances<'_>, at: &Point3<f64>, first: usize, open: 
             let k = near.trailing_zeros() as usize;
             near &= near - 1;
             let child = node * FAN + k;
-            // Of a point so far away that all bounds are infinite, missing children seem near.
+            // For a point so far away that all bounds are infinite, missing children would seem near.
             let n_children = if level > 0 { surface.levels[level - 1].len() } else { surface.triangles.len() };
             if child >= n_children {
                 continue;
@@ -351,7 +351,7 @@ mod tests {
                 let mesh = mesh.with_vertices(mesh.vertices().iter().map(|p| p + offset).collect()).unwrap();
                 for mesh in [canonicalize(&mesh).mesh, mesh] {
                     let tree = ClosestPointIndex::new(&mesh);
-                    // Vertices themselves, points nearby, and points anywhere.
+                    // Vertices of the surface, points nearby, and points anywhere.
                     let mut points = mesh.vertices()[..mesh.n_vertices().min(150)].to_vec();
                     points.extend(points.clone().iter().map(|p| p + Vector3::from_fn(|_, _| number()) * spread));
                     points.extend((0..20).map(|_| Point3::from(offset) + Vector3::from_fn(|_, _| number()) * 40.0));

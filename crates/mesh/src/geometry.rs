@@ -3,7 +3,7 @@
 use super::{FaceArity, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 
-/// Vector area of a face, triangle or quad, with its corners at these of `vertices`, mm².
+/// Vector area, mm², of a face (triangle or quad) whose corners are at positions `vertices`.
 #[inline(always)] // called for every face in every step
 fn vector_area(vertices: &[Point3<f64>], face: &[u32]) -> Vector3<f64> {
     let at = |corner: usize| vertices[face[corner] as usize];
@@ -15,8 +15,8 @@ fn vector_area(vertices: &[Point3<f64>], face: &[u32]) -> Vector3<f64> {
 }
 
 impl SurfaceMesh {
-    /// Vector area of every face (normal times area, mm²). That of a quad is the sum over its two triangles, which does
-    /// not depend on the diagonal.
+    /// Vector area of every face (normal times area, mm²). The vector area of a quad is the sum over its two triangles
+    /// and does not depend on the diagonal.
     pub fn face_vector_areas(&self) -> Vec<Vector3<f64>> {
         self.faces().map(|face| vector_area(self.vertices(), face)).collect()
     }
@@ -29,7 +29,7 @@ impl SurfaceMesh {
     /// Enclosed volume, mm³, by the divergence theorem; positive if the faces face outwards. Only
     /// meaningful for closed surfaces.
     pub fn signed_volume(&self) -> f64 {
-        // Relative to the centroid, so that a surface far from the origin keeps its precision.
+        // Relative to the centroid, which keeps the precision of a surface far from the origin.
         let c = self.centroid();
         let v = self.vertices();
         self.triangles()
@@ -47,12 +47,13 @@ impl SurfaceMesh {
         Point3::from(sum / self.n_vertices() as f64)
     }
 
-    /// Unit normal of every vertex, the direction of the area-weighted sum over its faces; zero where that vanishes.
+    /// Unit normal of every vertex: the direction of the area-weighted sum over its faces, or zero where the sum
+    /// vanishes.
     pub fn vertex_normals(&self) -> Vec<Vector3<f64>> {
         self.vertex_normals_at(self.vertices())
     }
 
-    /// The normals of the vertices when they are at `vertices`, one position for each.
+    /// Normals of the vertices for the positions `vertices`, one per vertex.
     pub fn vertex_normals_at(&self, vertices: &[Point3<f64>]) -> Vec<Vector3<f64>> {
         let mut normals = vec![Vector3::zeros(); vertices.len()];
         for face in self.faces() {

@@ -1,9 +1,9 @@
-//! Surface meshes in millimetres: vertices, triangle or quad faces, and measurements on them.
+//! Surface meshes in millimeters: vertices, triangle or quad faces, and measurements on them.
 //!
-//! [`SurfaceMesh`] is the representation of a surface in all of homolog. It is valid by construction (finite
-//! coordinates, indices in range, no face that uses a vertex twice). Whether it is closed, manifold and of genus 0 is
-//! checked by [`topology`]; [`repair`] fixes what can be fixed without moving a vertex. [`volume`] makes surfaces from
-//! label volumes, [`shapes`] from formulas.
+//! [`SurfaceMesh`] represents surfaces in all of homolog. It is valid by construction (finite coordinates, indices in
+//! range, no face that uses a vertex twice). [`topology`] checks whether it is closed, manifold and of genus 0.
+//! [`repair`] fixes faults that need no vertex to move. [`volume`] makes surfaces from label volumes, [`shapes`] from
+//! formulas.
 
 mod boundary;
 mod canonical;
@@ -28,7 +28,7 @@ pub use numbering::Numbering;
 use homolog_primitives::graph::EdgeGraph;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// A surface: `n` vertices in millimetres and faces of one arity (3 or 4), counter-clockwise seen from outside.
+/// A surface: `n` vertices in millimeters and faces of one arity (3 or 4), counter-clockwise seen from outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurfaceMesh {
     vertices: Vec<Point3<f64>>,
@@ -41,7 +41,7 @@ pub struct SurfaceMesh {
 pub enum FaceArity {
     /// Triangles.
     Triangle,
-    /// Quads, as the boundary faces of voxels.
+    /// Quads, such as the boundary faces of voxels.
     Quad,
 }
 
@@ -77,9 +77,9 @@ pub enum MeshError {
     IndexOutOfRange {
         /// Index of the face.
         face: usize,
-        /// The index it names.
+        /// The vertex index in the face.
         vertex: u64,
-        /// Vertices there are.
+        /// Number of vertices of the mesh.
         n_vertices: usize,
     },
     /// A face uses one vertex twice.
@@ -90,7 +90,7 @@ pub enum MeshError {
         /// The repeated vertex.
         vertex: u32,
     },
-    /// The number of indices is no multiple of the number of corners of a face.
+    /// The number of indices is not a multiple of the number of corners of a face.
     #[error("{n_indices} face indices do not divide into faces of {n_corners} corners")]
     RaggedFaces {
         /// Indices given.
@@ -167,7 +167,7 @@ impl SurfaceMesh {
         size_of_val(self.vertices.as_slice()) + size_of_val(self.indices.as_slice())
     }
 
-    /// The same faces with other vertex positions, one for each vertex.
+    /// The same faces with new vertex positions, one per vertex.
     ///
     /// # Errors
     /// [`MeshError::NonFinite`]; [`MeshError::IndexOutOfRange`] if there are fewer positions than vertices.
@@ -205,16 +205,16 @@ impl SurfaceMesh {
         }
     }
 
-    /// The edge graph: a quad mesh keeps its 4-neighbourhoods. Cost as that of [`SurfaceMesh::edges`].
+    /// The edge graph; a quad mesh keeps its 4-neighborhoods. Costs as much as [`SurfaceMesh::edges`].
     pub fn edge_graph(&self) -> EdgeGraph {
         EdgeGraph::from_edges(self.n_vertices(), &self.edges())
     }
 
-    /// Every undirected edge once, as `[low, high]`, in ascending order. Cost `O(faces)` for faces that are few around
-    /// each vertex.
+    /// Every undirected edge once, as `[low, high]`, in ascending order. Cost `O(faces)` if few faces meet at each
+    /// vertex.
     pub fn edges(&self) -> Vec<[u32; 2]> {
         let sides = || self.faces().flat_map(|f| (0..f.len()).map(move |k| (f[k], f[(k + 1) % f.len()])));
-        // Grouped by their lower vertex, so that only a few need sorting at a time.
+        // Edges are grouped by their lower vertex, so that only a few need sorting at a time.
         let mut ends = vec![0u32; self.n_vertices() + 1];
         for (a, b) in sides() {
             ends[a.min(b) as usize + 1] += 1;
@@ -223,7 +223,8 @@ impl SurfaceMesh {
             ends[low + 1] += ends[low];
         }
         let mut highs = vec![0u32; self.indices.len()];
-        // While the rows are filled, that of `low` ends at `ends[low]`; in the end the next row begins there.
+        // While the rows are filled, the row of `low` ends at `ends[low]`; when all are full, the next row begins
+        // there.
         for (a, b) in sides() {
             let end = &mut ends[a.min(b) as usize];
             highs[*end as usize] = a.max(b);

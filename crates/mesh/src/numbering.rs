@@ -1,4 +1,4 @@
-//! Which vertex of the uploaded mesh each vertex of a surface made from it is.
+//! Maps each vertex of a derived surface to its vertex in the uploaded mesh.
 //!
 //! The vertices of a surface are numbered three times on the way from the file to the answer:
 //!
@@ -6,25 +6,26 @@
 //! - **prepared**: after the repairs ([`super::repair`]), which drop and merge vertices but keep their order;
 //! - **canonical**: by position ([`super::canonicalize`]), the numbering in which matches are computed.
 //!
-//! Each step yields a [`Numbering`] back to the step before; [`Numbering::over`] chains them. Whatever names a vertex to
-//! a user goes through the chained numbering, once, where the answer leaves canonical numbering.
+//! Each step yields a [`Numbering`] back to the previous step, and [`Numbering::over`] chains them. Every vertex that
+//! is named to a user goes through the chained numbering, once, where the answer leaves canonical numbering.
 //!
-//! A vertex that repairs drop (no face uses it, or it belongs to a piece that is not kept) is the image of no vertex, and
-//! neither is one that is merged into another: the first of the merged vertices stands for all of them. For a label
-//! volume, "uploaded" is the surface made from it. STL files have no shared vertices; their vertices are numbered in the
-//! order in which the file first names them.
+//! No vertex maps to a vertex that repairs drop because no face uses it, because it belongs to a dropped piece, or
+//! because it was merged into another: the first of the merged vertices stands for all of them. For a label volume,
+//! "uploaded" is the surface made from it. STL files have no shared vertices; their vertices are numbered in the order
+//! in which the file first names them.
 
 use super::{MeshError, SurfaceMesh};
 use nalgebra::Point3;
 
-/// For every vertex of a surface, its vertex in the mesh from which the surface was made; no two have the same.
+/// For every vertex of a surface, its vertex in the mesh from which the surface was made. No two vertices share an
+/// original.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Numbering {
     original: Vec<u32>,
 }
 
 impl Numbering {
-    /// The numbering of a surface of `n_vertices` that is the original mesh itself.
+    /// The numbering of a surface of `n_vertices` that is its own original.
     pub fn identity(n_vertices: usize) -> Self {
         Numbering { original: (0..n_vertices as u32).collect() }
     }
@@ -52,19 +53,19 @@ impl Numbering {
         &self.original
     }
 
-    /// The vertices of the surface with their originals, `(original, vertex)`, originals ascending: the order in which
-    /// rows are answered. Cost `O(n log n)`.
+    /// The vertices of the surface with their originals, `(original, vertex)`, by ascending original: the order of rows
+    /// in an answer. Cost `O(n log n)`.
     pub fn by_original(&self) -> Vec<(u32, usize)> {
         let mut rows: Vec<(u32, usize)> = self.original.iter().copied().zip(0..).collect();
         rows.sort_unstable();
         rows
     }
 
-    /// This numbering chained with `earlier`, the one of the mesh that the surface was made from: the originals of the
-    /// result are those of `earlier`.
+    /// Chains this numbering with `earlier`, the numbering of the mesh from which the surface was made. The originals
+    /// of the result are the originals of `earlier`.
     ///
     /// # Panics
-    /// If an original here is no vertex there.
+    /// If an original here is not a vertex of `earlier`.
     pub fn over(&self, earlier: &Numbering) -> Numbering {
         earlier.select(&self.original)
     }
@@ -77,11 +78,10 @@ impl Numbering {
         Numbering { original: vertices.iter().map(|&v| self.original(v)).collect() }
     }
 
-    /// The faces of `surface`, which has this numbering, over the vertices of the original mesh, including those that no
-    /// face uses.
+    /// The faces of `surface`, which has this numbering, over all vertices of the original mesh, including unused ones.
     ///
     /// # Errors
-    /// [`MeshError`] if `original_vertices` are not those of the original mesh.
+    /// [`MeshError`] if `original_vertices` do not belong to the original mesh.
     pub fn restored(&self, surface: &SurfaceMesh, original_vertices: &[Point3<f64>]) -> Result<SurfaceMesh, MeshError> {
         let indices = surface.indices().iter().map(|&v| self.original(v)).collect();
         SurfaceMesh::new(original_vertices.to_vec(), surface.arity(), indices)

@@ -3,14 +3,15 @@
 use super::topology::EdgeUses;
 use super::{SurfaceMesh, repair};
 
-/// `mesh` with faces reversed until neighboring faces agree across every edge of two faces, and how many were reversed:
-/// in each part that such edges connect, the smaller number. `None` where no choice agrees everywhere, as on a Möbius strip.
+/// Reverses faces of `mesh` until neighboring faces agree across every edge with two faces. Also returns the number of
+/// reversed faces: in each part connected by such edges, the smaller of the two possible numbers. `None` where no
+/// choice agrees everywhere, as on a Möbius strip.
 ///
 /// Cost `O(faces log faces)`.
 pub fn oriented(mesh: &SurfaceMesh) -> Option<(SurfaceMesh, usize)> {
     let n_corners = mesh.arity().n_corners() as u32;
     let edges = EdgeUses::new(mesh);
-    // For every face its neighbors, and whether one of the two has to be reversed.
+    // The neighbors of every face, and whether one of the two has to be reversed.
     let mut neighbors: Vec<Vec<(u32, bool)>> = vec![Vec::new(); mesh.n_faces()];
     for uses in edges.groups() {
         if let [a, b] = uses {

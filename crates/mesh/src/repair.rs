@@ -1,8 +1,8 @@
-//! Repairs of a mesh that move no vertex: welding, the largest piece, pieces inside others, triangles, reversing all faces,
-//! dropping unused vertices.
+//! Repairs of a mesh that move no vertex: welding, keeping the largest piece, dropping pieces inside others,
+//! triangulating, reversing all faces, dropping unused vertices.
 //!
-//! Vertices keep their order; every repair returns the input index of each kept vertex, so that results can be given in
-//! the numbering of the file. (Tunnels are closed by [`super::tunnels`].)
+//! Vertices keep their order, and every repair returns the input index of each kept vertex, so that results can be
+//! given in the numbering of the file. ([`super::tunnels`] closes tunnels.)
 
 use super::topology::vertex_components;
 use super::{FaceArity, MeshError, Numbering, SurfaceMesh};
@@ -15,26 +15,27 @@ use std::collections::{HashMap, HashSet};
 pub struct RepairedMesh {
     /// The mesh.
     pub mesh: SurfaceMesh,
-    /// Which vertex of the input each of its vertices is; of merged vertices, the first.
+    /// For each vertex of the mesh, its vertex in the input; for merged vertices, the first one.
     pub numbering: Numbering,
 }
 
-/// Vertices closer than this share of the diagonal of the bounding box are merged: far below the resolution of any
-/// mesh, above the rounding of single-precision files whose coordinates are of the size of the diagonal.
+/// Distance below which vertices are merged, as a share of the diagonal of the bounding box. It is far below the
+/// resolution of any mesh, and above the rounding of single-precision files whose coordinates are of the size of the
+/// diagonal.
 pub const WELD_RTOL: f64 = 1e-7;
 
-/// What [`weld_reported`] changed.
+/// Changes made by [`weld_reported`].
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct WeldReport {
     /// Vertices that were merged into another.
     pub n_merged: usize,
-    /// Of these, vertices that had a face in common with the one that replaces them: ends of an edge shorter than the tolerance.
+    /// Merged vertices that shared a face with their replacement: ends of an edge shorter than the tolerance.
     pub n_collapsed: usize,
-    /// Largest distance of a merged vertex from the one that replaces it, mm.
+    /// Largest distance of a merged vertex from its replacement, mm.
     pub largest_mm: f64,
     /// Faces that were dropped because they used a vertex twice, before or after merging.
     pub n_degenerate: usize,
-    /// Faces that were dropped because the same face in the same orientation came before.
+    /// Faces that were dropped because an earlier face is the same, with the same orientation.
     pub n_duplicate: usize,
 }
 
@@ -50,7 +51,7 @@ pub fn weld(mesh: &SurfaceMesh) -> Result<RepairedMesh, MeshError> {
 /// repeated faces of the same orientation, and unused vertices.
 ///
 /// If a quad becomes a triangle, the whole mesh is returned as triangles. Each vertex is merged into the kept vertex of
-/// lowest index that is close to it.
+/// lowest index within the tolerance.
 ///
 /// # Errors
 /// [`MeshError::Empty`] if no face is left.
@@ -62,8 +63,8 @@ pub fn weld_reported(mesh: &SurfaceMesh) -> Result<(RepairedMesh, WeldReport), M
     merged(mesh, &nearest_kept(mesh, (high - low).norm() * WELD_RTOL, |_| true))
 }
 
-/// As [`weld_reported`], but merges vertices within `tolerance_mm` of each other, and only vertices of edges with one face: for
-/// surfaces whose faces lie beside each other without sharing vertices.
+/// Like [`weld_reported`], but merges only vertices of edges with one face, within `tolerance_mm` of each other. For
+/// surfaces whose faces lie side by side without sharing vertices.
 ///
 /// # Errors
 /// [`MeshError::Empty`] if no face is left.
@@ -76,7 +77,7 @@ pub fn weld_boundary(mesh: &SurfaceMesh, tolerance_mm: f64) -> Result<(RepairedM
     merged(mesh, &nearest_kept(mesh, tolerance_mm, may_merge))
 }
 
-/// The mesh in which each vertex is replaced by the one that `kept` names.
+/// The mesh in which vertex `v` is replaced by vertex `kept[v]`.
 fn merged(mesh: &SurfaceMesh, kept: &[u32]) -> Result<(RepairedMesh, WeldReport), MeshError> {
     let mut report = WeldReport::default();
     for (at, &other) in kept.iter().enumerate().filter(|&(at, &other)| at != other as usize) {
@@ -115,7 +116,7 @@ fn merged(mesh: &SurfaceMesh, kept: &[u32]) -> Result<(RepairedMesh, WeldReport)
     Ok((compacted(mesh.vertices(), arity, indices), report))
 }
 
-/// The corners of a triangle or a quad, without an allocation for each; the fourth of a triangle is `u32::MAX`.
+/// The corners of a triangle or a quad, stored without an allocation; the fourth corner of a triangle is `u32::MAX`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct Corners([u32; 4]);
 
@@ -135,7 +136,7 @@ impl Corners {
         (0..corners.len()).any(|k| corners[k + 1..].contains(&corners[k]))
     }
 
-    /// The same face, beginning with its lowest corner.
+    /// The same face, starting with its lowest corner.
     fn beginning_with_lowest(self) -> Self {
         let corners = self.all();
         let first = (0..corners.len()).min_by_key(|&k| corners[k]).unwrap_or(0);
@@ -145,11 +146,12 @@ impl Corners {
     }
 }
 
-/// For every vertex that `may_merge` the lowest kept one of them within the tolerance, mm; a kept vertex, and one that may not
-/// merge, maps to itself.
+/// For every vertex that `may_merge`, the kept vertex of lowest index within the tolerance, mm. Kept vertices, and
+/// vertices that may not merge, map to themselves.
 fn nearest_kept(mesh: &SurfaceMesh, tolerance: f64, may_merge: impl Fn(usize) -> bool) -> Vec<u32> {
     let (low, _) = mesh.bounding_box();
-    // Cells much larger than the tolerance: only the few vertices near a cell boundary search a second cell.
+    // Cells are much larger than the tolerance, so that only the few vertices near a cell boundary search a second
+    // cell.
     let width = (tolerance * 64.0).max(f64::MIN_POSITIVE);
     let v = mesh.vertices();
     let cell = |p: &Point3<f64>, off: [f64; 3]| -> [i64; 3] {
@@ -157,8 +159,8 @@ fn nearest_kept(mesh: &SurfaceMesh, tolerance: f64, may_merge: impl Fn(usize) ->
     };
     let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
     let mut kept: Vec<u32> = Vec::with_capacity(v.len());
-    // Of vertices at exactly one position, as formats without shared vertices have them, the later ones share the answer of
-    // the first: what was added in between has a higher index.
+    // Formats without shared vertices repeat positions. Later vertices at exactly the same position share the answer of
+    // the first: vertices added in between have a higher index.
     let mut exact: HashMap<[u64; 3], u32> = HashMap::with_capacity(v.len() / 4);
     for (i, p) in v.iter().enumerate() {
         if !may_merge(i) {
@@ -198,7 +200,7 @@ fn nearest_kept(mesh: &SurfaceMesh, tolerance: f64, may_merge: impl Fn(usize) ->
     kept
 }
 
-/// The connected piece with the most vertices (the first of equals), by shared vertices.
+/// The connected piece (by shared vertices) with the most vertices; ties go to the first.
 ///
 /// Cost `O(n)`.
 pub fn largest_component(mesh: &SurfaceMesh) -> RepairedMesh {
@@ -212,11 +214,12 @@ pub fn largest_component(mesh: &SurfaceMesh) -> RepairedMesh {
     compacted(&mesh.vertices, mesh.arity, indices)
 }
 
-/// `mesh` without the pieces that lie inside another piece, such as the walls of cavities, and how many were dropped. `None`
-/// if there are none. A piece lies inside where the winding number of the other around one of its vertices is more than a half.
+/// Drops pieces of `mesh` that lie inside another piece, such as the walls of cavities, and returns how many were
+/// dropped; `None` if there are none. A piece lies inside another if the winding number of the other around one of its
+/// vertices exceeds a half.
 ///
 /// # Cost
-/// `O(n)` for each pair of pieces whose bounding boxes lie in each other.
+/// `O(n)` for each pair of pieces with nested bounding boxes.
 ///
 /// # Source
 /// Van Oosterom and Strackee, "The solid angle of a plane triangle", IEEE Transactions on Biomedical Engineering 30(2), 1983.
@@ -255,7 +258,7 @@ pub fn without_inner_pieces(mesh: &SurfaceMesh) -> Option<(RepairedMesh, usize)>
     (n_dropped > 0).then(|| (compacted(v, mesh.arity, kept.flatten().copied().collect()), n_dropped))
 }
 
-/// How often a piece winds around a point.
+/// The winding number of a piece around a point.
 fn winding(vertices: &[Point3<f64>], triangles: &[[u32; 3]], at: &Point3<f64>) -> f64 {
     let solid_angle = |t: &[u32; 3]| {
         let [a, b, c] = t.map(|k| vertices[k as usize] - at);
@@ -289,7 +292,7 @@ pub(crate) fn reversed_where(mesh: &SurfaceMesh, reverse: impl Fn(usize) -> bool
     mesh
 }
 
-/// The faces `indices` with only the vertices that they use, in the old order.
+/// The faces `indices` with only the vertices they use, in the old order.
 pub(crate) fn compacted(vertices: &[Point3<f64>], arity: FaceArity, mut indices: Vec<u32>) -> RepairedMesh {
     let mut number = vec![u32::MAX; vertices.len()];
     indices.iter().for_each(|&v| number[v as usize] = 0);
@@ -329,7 +332,7 @@ mod tests {
         .unwrap();
         let (_, found) = weld_boundary(&sheet, 0.01).unwrap();
         assert_eq!((found.n_merged, found.n_collapsed), (1, 1));
-        // The same triangles side by side, without common vertices.
+        // The same triangles side by side, without shared vertices.
         let seam = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.001, 0.0], [1.0, 1.0], [0.001, 1.0]];
         let seam = SurfaceMesh::new(at(&seam), FaceArity::Triangle, (0..6).collect()).unwrap();
         let (welded, found) = weld_boundary(&seam, 0.01).unwrap();

@@ -1,13 +1,14 @@
-//! Fewer vertices: edges are collapsed onto one of their ends until a number of vertices is met.
+//! Reduces the number of vertices: edges are collapsed onto one of their ends until the requested number is reached.
 //!
-//! Vertices are dropped and none is moved, so that each vertex of the outcome is one of the input ([`super::Numbering`]). Which
-//! edge comes next is decided by quadrics: the sum of the squared distances of the end that is kept from the planes of the
-//! faces around both, weighted by area. Boundaries are held by planes at right angles to the surface.
+//! Vertices are dropped but never moved, so each vertex of the result is a vertex of the input ([`super::Numbering`]).
+//! Quadrics order the collapses: the cost of an edge is the sum of the squared distances of the kept end from the
+//! planes of the faces around both ends, weighted by area. Planes at right angles to the surface hold the boundaries in
+//! place.
 //!
 //! # Source
-//! Garland and Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997; the condition under which a
-//! collapse keeps the topology: Dey, Edelsbrunner, Guha and Nekhayev, "Topology preserving edge contraction", Publications de
-//! l'Institut Mathématique 66(80), 1999.
+//! Garland and Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997; the condition under which
+//! a collapse preserves the topology: Dey, Edelsbrunner, Guha and Nekhayev, "Topology preserving edge contraction",
+//! Publications de l'Institut Mathématique 66(80), 1999.
 
 use super::repair::{RepairedMesh, compacted};
 use super::{ClosestPointIndex, FaceArity, SurfaceMesh};
@@ -17,23 +18,24 @@ use std::collections::BinaryHeap;
 
 /// Weight of planes at boundaries, relative to those of faces.
 const BOUNDARY_WEIGHT: f64 = 10.0;
-/// Weight of the length of an edge, relative to the distance from planes: decides where the surface is flat.
+/// Weight of the length of an edge, relative to the distance from planes. It orders collapses where the surface is
+/// flat.
 const LENGTH_WEIGHT: f64 = 1e-3;
-/// A collapse may turn the normal of a face by at most the angle of this cosine.
+/// Least cosine of the angle by which a collapse may turn the normal of a face.
 const LEAST_COSINE: f64 = 0.2;
 
-/// A mesh of fewer vertices.
+/// A mesh with fewer vertices.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Simplified {
-    /// The mesh, of triangles, and which vertex of the input each of its vertices is.
+    /// The mesh, of triangles, and the vertex of the input for each of its vertices.
     pub repaired: RepairedMesh,
-    /// Largest distance of a vertex of the input from the surface of the outcome, mm.
+    /// Largest distance of a vertex of the input from the simplified surface, mm.
     pub largest_mm: f64,
 }
 
-/// `mesh` with at most `n_vertices` vertices, or with as few as its topology allows. Genus, boundaries and pieces stay; edges
-/// with more than two faces and vertices where parts only touch stay where they are. The same mesh, as triangles, if it has no
-/// more vertices than that.
+/// `mesh` with at most `n_vertices` vertices, or as few as its topology allows. Genus, boundaries and pieces are
+/// preserved. Edges with more than two faces, and vertices where parts only touch, are kept. A mesh that is small
+/// enough is only triangulated.
 ///
 /// # Cost
 /// `O(n log n)`.
@@ -64,16 +66,16 @@ struct Collapsing<'a> {
     /// The faces at each vertex.
     at_vertex: Vec<Vec<u32>>,
     quadrics: Vec<Matrix4<f64>>,
-    /// Whether a vertex is on the boundary.
+    /// Whether each vertex is on the boundary.
     boundary: Vec<bool>,
-    /// Vertices that stay.
+    /// Vertices that must be kept.
     fixed: Vec<bool>,
-    /// Raised when what a collapse of a vertex costs may have changed.
+    /// Version of each vertex, raised when the cost of one of its collapses may have changed.
     version: Vec<u32>,
     queue: BinaryHeap<Reverse<Collapse>>,
 }
 
-/// Bits of the cost, the vertex to drop, the one to keep, the version of both.
+/// A candidate: bits of the cost, the vertex to drop, the vertex to keep, the versions of both.
 type Collapse = (u64, u32, u32, [u32; 2]);
 
 impl<'a> Collapsing<'a> {
@@ -108,7 +110,7 @@ impl<'a> Collapsing<'a> {
         state
     }
 
-    /// Boundaries get planes; where the surface is no manifold, vertices are fixed.
+    /// Adds planes at boundaries, and fixes vertices where the surface is not a manifold.
     fn find_borders(&mut self) {
         let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * self.triangles.len());
         for (f, t) in (0u32..).zip(&self.triangles) {
@@ -170,7 +172,7 @@ impl<'a> Collapsing<'a> {
             at.dot(&planes).max(0.0) + LENGTH_WEIGHT * area * length
         };
         let costs = self.neighbors(v).into_iter().map(|keep| (cost(keep).to_bits(), keep));
-        // Of those that are possible; what is not now may be later, when a neighbor is gone.
+        // Only collapses that are possible now; others may become possible when a neighbor is gone.
         let mut costs: Vec<(u64, u32)> = costs.collect();
         costs.sort_unstable();
         let possible = costs.into_iter().find(|&(_, keep)| self.possible(v, keep));
@@ -212,7 +214,7 @@ impl<'a> Collapsing<'a> {
             if self.version[keep as usize] == versions[1] && self.possible(drop, keep) {
                 return Some((drop, keep));
             }
-            // The surroundings have changed.
+            // The neighborhoods have changed.
             self.version[drop as usize] += 1;
             self.offer(drop);
         }

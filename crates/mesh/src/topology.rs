@@ -1,8 +1,9 @@
-//! Topology of a mesh: whether it is closed, manifold and oriented, its genus, and where it is at fault.
+//! Topology of a mesh: whether it is closed, manifold and oriented, its genus, and the places of its faults.
 //!
-//! [`topology_report`] counts; [`analyze`] also returns the first [`SurfaceFault`] with its position, for errors that
-//! can be acted on. Both work on triangles and quads. Edges are grouped by sorting half-edges, fans around a vertex by
-//! joining the face corners that share an edge: no pointers, no hashing, the same order of faults in every run.
+//! [`topology_report`] counts; [`analyze`] also returns the first [`SurfaceFault`] with its position, so that an error
+//! tells what to fix. Both work on triangles and quads. Edges are grouped by sorting half-edges, and fans around a
+//! vertex by joining the face corners that share an edge: no pointers, no hashing, the same order of faults in every
+//! run.
 
 use super::tunnels::{Tunnel, narrowest_tunnel};
 use super::{Numbering, SurfaceMesh};
@@ -30,7 +31,7 @@ pub struct TopologyReport {
     pub euler_characteristic: i64,
     /// Genus summed over components; `None` where the surface is not a closed oriented manifold.
     pub genus: Option<u32>,
-    /// Whether neighbouring faces agree in orientation everywhere.
+    /// Whether neighboring faces agree in orientation everywhere.
     pub oriented: bool,
     /// Area, mm².
     pub area_mm2: f64,
@@ -38,7 +39,7 @@ pub struct TopologyReport {
     pub volume_mm3: Option<f64>,
 }
 
-/// The first reason, in the order of the variants, why a mesh is not the surface that is demanded.
+/// The first reason, in the order of the variants, why a mesh does not meet the demand.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SurfaceFault {
     /// Neighboring faces do not share vertices.
@@ -98,7 +99,7 @@ pub enum SurfaceFault {
         /// Its position, mm.
         place_mm: [f64; 3],
     },
-    /// Two neighbouring faces disagree in orientation.
+    /// Two neighboring faces disagree in orientation.
     #[error(
         "{n_edges} edges lie between faces of opposite orientation; the first joins vertices {} and {} near {}",
         edge[0], edge[1], at(place_mm)
@@ -173,7 +174,7 @@ fn narrowest(genus: u32, tunnel: Option<Tunnel>) -> String {
 }
 
 impl SurfaceFault {
-    /// Where it is first found, mm; `None` for a fault of the whole surface.
+    /// Position of the first occurrence, mm; `None` for a fault of the whole surface.
     pub fn place_mm(&self) -> Option<[f64; 3]> {
         match self {
             SurfaceFault::NonManifoldEdge { place_mm, .. }
@@ -189,7 +190,7 @@ impl SurfaceFault {
         }
     }
 
-    /// The same fault, of a mesh with this `numbering`, in terms of the vertices of the original mesh.
+    /// The fault of a mesh with this `numbering`, expressed in vertices of the original mesh.
     pub fn renumbered(mut self, numbering: &Numbering) -> Self {
         let name = |v: &mut u32| *v = numbering.original(*v);
         match &mut self {
@@ -208,13 +209,14 @@ impl SurfaceFault {
 pub struct Analysis {
     /// The counts.
     pub report: TopologyReport,
-    /// Why the mesh is not the surface that was demanded, if it is not.
+    /// The first fault, if the mesh does not meet the demand.
     pub fault: Option<SurfaceFault>,
-    /// The further reasons, if there are several.
+    /// Further faults, if there are several.
     pub others: Vec<SurfaceFault>,
 }
 
-/// Volumes below this share of `area^1.5` count as 0, as do areas below this share of the squared diagonal. A sphere has 0.094; a needle of aspect 1 : 10⁴ has 1e-3.
+/// Volumes below this share of `area^1.5` count as 0, and so do areas below this share of the squared diagonal. For
+/// comparison: a sphere has 0.094; a needle of aspect 1 : 10⁴ has 1e-3.
 const FLAT_RTOL: f64 = 1e-9;
 
 /// Counts of vertices, edges, faces, components and faults of `mesh`, its genus, area (mm²) and volume (mm³).
@@ -226,33 +228,33 @@ pub fn topology_report(mesh: &SurfaceMesh) -> TopologyReport {
 
 /// [`topology_report`] and, if `mesh` is not a closed surface of genus 0 with outward faces, the first fault.
 ///
-/// Cost `O(faces log faces)`, and up to seconds to find a tunnel.
+/// Cost `O(faces log faces)`, plus up to seconds for the search for a tunnel.
 pub fn analyze(mesh: &SurfaceMesh) -> Analysis {
     analyze_with(mesh, Demand::Sphere)
 }
 
-/// What a surface has to be.
+/// Requirements on a surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Demand {
     /// Any surface whose faces agree in orientation and, where it is closed, enclose a volume. Faces of an open surface count
     /// as outward if the signed volume relative to the centroid is not negative.
     Any,
-    /// The same, without a boundary.
+    /// Like [`Demand::Any`], without a boundary.
     NoBoundary,
     /// A closed manifold in one piece, of genus 0.
     Sphere,
 }
 
-/// As [`analyze`]: the first fault of a surface that is not what `demand` says.
+/// Like [`analyze`], with the first fault of a surface that does not meet `demand`.
 ///
-/// Cost `O(faces log faces)`, and with [`Demand::Sphere`] up to seconds to find a tunnel.
+/// Cost `O(faces log faces)`; with [`Demand::Sphere`] plus up to seconds for the search for a tunnel.
 pub fn analyze_with(mesh: &SurfaceMesh, demand: Demand) -> Analysis {
     let examined = Examined::new(mesh);
     let mut found = all_faults(mesh, &examined, demand).into_iter();
     Analysis { fault: found.next(), others: found.collect(), report: examined.report }
 }
 
-/// What is counted, and what faults are made of.
+/// Counts and elements from which faults are derived.
 struct Examined {
     report: TopologyReport,
     faults: EdgeFaults,
@@ -340,7 +342,7 @@ fn all_faults(mesh: &SurfaceMesh, examined: &Examined, demand: Demand) -> Vec<Su
         found.push(SurfaceFault::NoArea { area_mm2: report.area_mm2 });
         return found;
     }
-    // The volume says nothing where faces disagree in orientation, and may be corrected by what corrects another fault.
+    // The volume is meaningless where faces disagree in orientation, and fixing another fault may correct it.
     if !found.is_empty() {
         return found;
     }
@@ -358,15 +360,15 @@ fn all_faults(mesh: &SurfaceMesh, examined: &Examined, demand: Demand) -> Vec<Su
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct EdgeUse {
     pub edge: [u32; 2],
-    /// Position in the mesh's indices of the corner at the lower vertex.
+    /// Position in the indices of the mesh of the corner at the lower vertex.
     pub corner_low: u32,
-    /// The same of the higher vertex.
+    /// Position in the indices of the mesh of the corner at the higher vertex.
     pub corner_high: u32,
     /// Whether the face runs from the lower to the higher vertex.
     pub ascending: bool,
 }
 
-/// All uses of all edges, those of one edge together, edges ascending.
+/// All uses of all edges, grouped by edge, edges ascending.
 pub(crate) struct EdgeUses(Vec<EdgeUse>);
 
 impl EdgeUses {
@@ -396,7 +398,7 @@ impl EdgeUses {
 struct EdgeFault {
     n: u32,
     first: Option<[u32; 2]>,
-    /// Faces at the first.
+    /// Number of faces at the first such edge.
     n_faces: u32,
 }
 
@@ -430,7 +432,7 @@ impl EdgeFaults {
     }
 }
 
-/// For every vertex how many fans its faces form; 0 where no face uses it.
+/// Number of fans that the faces around each vertex form; 0 for unused vertices.
 fn fan_counts(mesh: &SurfaceMesh, fans: &mut DisjointSets) -> Vec<u32> {
     let mut n_fans = vec![0; mesh.n_vertices()];
     for (corner, &v) in mesh.indices().iter().enumerate() {
@@ -444,14 +446,14 @@ fn fan_counts(mesh: &SurfaceMesh, fans: &mut DisjointSets) -> Vec<u32> {
 /// The connected pieces of a mesh, by shared vertices, numbered by their first vertex.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Components {
-    /// Piece of every vertex; `u32::MAX` for those no face uses.
+    /// Piece of every vertex; `u32::MAX` for unused vertices.
     pub of_vertex: Vec<u32>,
     /// Vertices of every piece.
     pub sizes: Vec<u32>,
 }
 
 impl Components {
-    /// The piece with the most vertices, the first of equals.
+    /// The piece with the most vertices; ties go to the first.
     pub(crate) fn largest(&self) -> u32 {
         let mut best = 0;
         for (k, &size) in self.sizes.iter().enumerate() {

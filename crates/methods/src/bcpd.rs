@@ -1,13 +1,14 @@
-//! Bayesian coherent point drift: coherence is a prior of the displacement, and the posterior has a variance at every point.
+//! Bayesian coherent point drift: coherence is a prior on the displacement, and the posterior has a variance at every
+//! point.
 //!
-//! The moved source is `y'_m = s R (y_m + v_m) + t` with `v ~ N(0, λ⁻¹ G)`. Variational inference alternates between the
-//! assignment, in which a point counts less where its displacement is uncertain (by `exp(−3 s² σ_m² / 2σ²)`), the
-//! posterior of `v` and the similarity. With `G = F Fᵀ` and `v = F a`:
+//! The moved source is `y'_m = s R (y_m + v_m) + t` with `v ~ N(0, λ⁻¹ G)`. Variational inference alternates between
+//! three steps: the assignment, in which points with uncertain displacement have less weight (by `exp(−3 s² σ_m² /
+//! 2σ²)`), the posterior of `v`, and the similarity. With `G = F Fᵀ` and `v = F a`:
 //!
 //! `Σ_a = (λ I + (s²/σ²) Fᵀ diag(ν) F)⁻¹`, `a = (s²/σ²) Σ_a Fᵀ diag(ν) (T⁻¹(x̂) − y)`, `σ_m² = F_m Σ_a F_mᵀ`.
 //!
-//! Source: Hirose, "A Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021, figure 2, for mixing coefficients
-//! that are all equal (`κ → ∞`).
+//! Source: Hirose, "A Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021, figure 2, for equal mixing
+//! coefficients (`κ → ∞`).
 
 use crate::MethodError;
 use crate::soft::{Field, assign, kernel_basis, moved, ridge, solved, spread};
@@ -17,29 +18,29 @@ use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::{Matrix3, Point3, Vector3};
 use std::f64::consts::TAU;
 
-/// Settings; lengths in roots of the area.
+/// Settings; lengths in square roots of the area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BcpdOptions {
     /// Width `β` of the kernel.
     pub width: f64,
     /// Precision `λ` of the displacement along an axis at a point.
     pub precision: f64,
-    /// Share `ω` of target points that belong to no source point.
+    /// Share `ω` of target points without a source point.
     pub outliers: f64,
-    /// `σ` at the start. The authors begin with that of all pairs of points, which contracts the source to its center before it
-    /// unfolds again; a pose that is known allows for less.
+    /// Initial `σ`. The authors start with the `σ` of all pairs of points, which contracts the source to its center
+    /// before it unfolds again; a known pose allows a smaller start.
     pub first_sigma: f64,
-    /// Most steps.
+    /// Largest number of steps.
     pub max_iterations: u32,
-    /// It ends when a step changes `σ` by less than this share.
+    /// Relative change of `σ` in a step below which the iteration ends.
     pub tolerance: f64,
-    /// Most functions of the field.
+    /// Largest number of functions of the field.
     pub n_functions: usize,
 }
 
 impl Default for BcpdOptions {
     fn default() -> Self {
-        // As for coherent point drift: a standard deviation of 0.06 roots of the area.
+        // As for coherent point drift: a standard deviation of 0.06 square roots of the area.
         BcpdOptions {
             width: 0.3,
             precision: 300.0,
@@ -62,13 +63,13 @@ pub struct Bcpd {
     scale: f64,
     rotation: Matrix3<f64>,
     translation: Vector3<f64>,
-    /// `σ` at the end.
+    /// Final `σ`.
     pub sigma: f64,
     /// Posterior standard deviation along an axis at every source point.
     pub uncertainty: Vec<f64>,
     /// Steps taken.
     pub iterations: u32,
-    /// Whether `σ` came to rest.
+    /// Whether `σ` converged.
     pub converged: bool,
 }
 
@@ -187,7 +188,7 @@ mod tests {
     /// The equations of the paper with full matrices, the prior covariance inverted, and exponentials in 64 bits.
     fn dense(source: &[Point3<f64>], target: &[Point3<f64>], o: &BcpdOptions, steps: u32) -> Vec<Point3<f64>> {
         let (n, m) = (target.len(), source.len());
-        // A little noise at every point, without which the covariance of a smooth field has no inverse in 64 bits.
+        // A little noise at every point, because the covariance of a smooth field has no inverse in 64 bits.
         let g =
             DMatrix::from_fn(m, m, |i, j| (-(source[i] - source[j]).norm_squared() / (2.0 * o.width * o.width)).exp())
                 + DMatrix::identity(m, m) * 1e-7;
@@ -263,7 +264,7 @@ mod tests {
             let found = register(&source, &target, &options, &Silent).unwrap();
             let exact = dense(&source, &target, &options, steps);
             let off = rms(&found.moved(&source), &exact);
-            // Functions below 1e-5 of the largest variance are left out here, and none there.
+            // This implementation leaves out functions below 1e-5 of the largest variance; the reference does not.
             assert!(off < 1e-3, "{steps} steps: {off}");
             assert!(rms(&source, &exact) > 5e-3, "the oracle moves the points");
         }

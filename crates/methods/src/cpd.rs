@@ -1,15 +1,15 @@
 //! Coherent point drift: target points are drawn from a mixture of Gaussians at the moved source points, which move coherently.
 //!
-//! The displacement is `v(z) = Σ_m k(z, y_m) w_m` with a Gaussian kernel of width `β`; expectation-maximisation lowers
+//! The displacement is `v(z) = Σ_m k(z, y_m) w_m` with a Gaussian kernel of width `β`; expectation-maximization lowers
 //!
 //! `Q = Σ_mn P(m | x_n) ‖x_n − y_m − v(y_m)‖² / 2σ² + (3 N_P / 2) ln σ² + (λ/2) tr(Wᵀ G W)`
 //!
-//! and estimates `σ²` in every step. With `G = F Fᵀ`, `V = F a`, the maximisation is the ridge regression
-//! `(Fᵀ diag(P 1) F + λ σ² I) a = Fᵀ (P X − diag(P 1) Y)`, which has as many unknowns as the kernel has functions that
-//! matter, not as there are points.
+//! and estimates `σ²` in every step. With `G = F Fᵀ`, `V = F a`, the maximization is the ridge regression `(Fᵀ diag(P
+//! 1) F + λ σ² I) a = Fᵀ (P X − diag(P 1) Y)`. It has as many unknowns as the kernel has relevant functions, instead of
+//! one per point.
 //!
-//! Source: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010, section 5; the low-rank
-//! form of their section 6 with Nyström's approximation in place of eigenvectors.
+//! Source: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010, section 5; the
+//! low-rank form of section 6, with Nyström's approximation in place of eigenvectors.
 
 use crate::MethodError;
 pub use crate::soft::Field;
@@ -19,25 +19,25 @@ use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::TAU;
 
-/// Settings; lengths in roots of the area. The defaults of `first_sigma` and `smoothness` are the best of four tried on three real
-/// warps; the authors' start took the points on two of them farther from the truth than they were before.
+/// Settings; lengths in square roots of the area. The defaults of `first_sigma` and `smoothness` are the best of four
+/// tried on three real warps; the authors' start moved the points on two of them away from the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CpdOptions {
     /// Width `β` of the kernel. The authors use 2 root mean square radii; one is about 0.3 here.
     pub width: f64,
-    /// Weight `λ` of the coherence: the inverse of the variance that displacements are expected to have, here 0.06². The authors
-    /// use 2 to 3 for surfaces of root mean square radius 1, which is about 11 times as much in this unit.
+    /// Weight `λ` of the coherence: the inverse of the expected variance of displacements, here 0.06². The authors use
+    /// 2 to 3 for surfaces of root mean square radius 1, which is about 11 times as much in this unit.
     pub smoothness: f64,
-    /// Share `w` of target points that belong to no source point.
+    /// Share `w` of target points without a source point.
     pub outliers: f64,
-    /// `σ` at the start. The authors begin with that of all pairs of points, which contracts the source to its center before it
-    /// unfolds again; a pose that is known allows for less.
+    /// Initial `σ`. The authors start with the `σ` of all pairs of points, which contracts the source to its center
+    /// before it unfolds again; a known pose allows a smaller start.
     pub first_sigma: f64,
-    /// Most steps.
+    /// Largest number of steps.
     pub max_iterations: u32,
-    /// It ends when a step changes `σ` by less than this share.
+    /// Relative change of `σ` in a step below which the iteration ends.
     pub tolerance: f64,
-    /// Most functions of the field.
+    /// Largest number of functions of the field.
     pub n_functions: usize,
 }
 
@@ -55,7 +55,7 @@ impl Default for CpdOptions {
     }
 }
 
-/// Least `σ`: below a hundredth of the distance of samples nothing is left to assign.
+/// Least `σ`: below a hundredth of the sampling distance nothing is left to assign.
 const LEAST_SIGMA: f64 = 1e-4;
 
 /// The result of [`register`].
@@ -63,11 +63,11 @@ const LEAST_SIGMA: f64 = 1e-4;
 pub struct Cpd {
     /// The displacement field; it moves any point.
     pub field: Field,
-    /// `σ` at the end.
+    /// Final `σ`.
     pub sigma: f64,
     /// Steps taken.
     pub iterations: u32,
-    /// Whether `σ` came to rest.
+    /// Whether `σ` converged.
     pub converged: bool,
 }
 

@@ -1,9 +1,9 @@
-//! The coordinates that methods work in.
+//! Coordinates in which the methods work.
 
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 
-/// Coordinates about the centroid of a surface in roots of its area.
+/// Coordinates about the centroid of a surface, in square roots of its area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     center: Point3<f64>,

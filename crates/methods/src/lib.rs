@@ -1,5 +1,5 @@
-//! Methods of the field that match two surfaces which a rigid pose has brought together already: each a map from the source
-//! to points on or near the target, to be tried against the Markov random field on equal terms.
+//! Published methods that match two surfaces in one rigid pose. Each maps the vertices of the source to points on or near
+//! the target, and can be compared with the Markov random field on equal terms.
 //!
 //! | module | method |
 //! |---|---|
@@ -11,9 +11,9 @@
 //! | [`medial`] | medial coordinates of tubular structures |
 //! | [`diffeomorphic`] | the flow of a stationary velocity field, matched by varifolds |
 //!
-//! Lengths have no unit: every constant is in roots of the area of a surface, and [`Frame`] brings surfaces into that unit
-//! and answers back. So an answer does not depend on the unit or size of the inputs, and scaling both by a power of two
-//! scales it to the bit. The same inputs give the same bits on any number of threads.
+//! Lengths are dimensionless: every constant is in square roots of the area of a surface, and [`Frame`] converts
+//! surfaces to that unit and answers back. An answer therefore does not depend on the unit or size of the inputs, and
+//! scaling both by a power of two scales it to the bit. The same inputs give the same bits on any number of threads.
 //!
 //! This crate knows no energy, no search for a pose, no file and no runtime.
 
@@ -34,7 +34,7 @@ pub use frame::Frame;
 use homolog_geometry::harmonics::HarmonicsError;
 use homolog_primitives::observe::Cancelled;
 
-/// Why a method gives no map. Not converging is no error.
+/// Reasons why a method gives no map. Not converging is not an error.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MethodError {
     /// The observer asked to stop.

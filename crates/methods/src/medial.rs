@@ -1,14 +1,15 @@
 //! Medial coordinates of a tubular structure: position along a center line, and position in the cross section there.
 //!
-//! The first eigenfunction of the Laplace-Beltrami operator that is not constant runs from one end of an elongated surface to the
-//! other, however it is bent, so its level sets are cross sections. Their centers make the center line, along which a frame that
-//! turns as little as possible is carried. In these coordinates the surface is a straight tube:
+//! The first non-constant eigenfunction of the Laplace-Beltrami operator runs from one end of an elongated surface to
+//! the other, however it is bent, so its level sets are cross sections. Their centers form the center line, which
+//! carries a frame with as little rotation as possible. In these coordinates the surface is a straight tube:
 //!
 //! `p = c(s) + a t(s) + x u(s) + y v(s)` lies at `(s + a, x, y)`.
 //!
-//! Both straight tubes are brought to one length and one mean radius; the image of a source vertex is the closest point of the
-//! target there. Which ends correspond, and by which angle the cross sections are turned against each other, coordinates alone do not
-//! say: of both directions and all angles the one is taken under which corresponding points lie closest in the given pose.
+//! Both straight tubes are scaled to one length and one mean radius; the image of a source vertex is the closest point
+//! of the target there. Coordinates alone determine neither which ends correspond nor the angle between the cross
+//! sections. Of both directions and all angles, the combination is chosen for which corresponding points lie closest in
+//! the given pose.
 //!
 //! Sources: Chung et al., "Hot spots conjecture and its application to modeling tubular structures", MLMI 2011 (level sets of the
 //! first eigenfunction); Wang et al., "Computation of rotation minimizing frames", ACM Trans. Graph. 27(1), 2008; Blum 1967 for the
@@ -26,13 +27,13 @@ use std::f64::consts::TAU;
 /// Settings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MedialOptions {
-    /// Cross sections between the ends, which cut off equal areas.
+    /// Number of cross sections between the ends; they cut off equal areas.
     pub n_sections: usize,
-    /// Times that centers are averaged with their neighbors: sections of a coarse surface jitter.
+    /// Number of times that centers are averaged with their neighbors, because sections of a coarse surface jitter.
     pub n_smoothings: usize,
-    /// Angles of the cross sections that are tried.
+    /// Number of angles of the cross sections that are tried.
     pub n_angles: usize,
-    /// Vertices over which directions and angles are compared.
+    /// Number of vertices used to compare directions and angles.
     pub n_compared: usize,
 }
 
@@ -47,9 +48,9 @@ impl Default for MedialOptions {
 pub struct CenterLine {
     /// Points from one end of the surface to the other.
     pub points: Vec<Point3<f64>>,
-    /// Length of the line up to each of them.
+    /// Length of the line up to each of the points.
     pub lengths: Vec<f64>,
-    /// Frames there: the tangent, and two axes of the cross section.
+    /// Frames at the points: the tangent, and two axes of the cross section.
     pub frames: Vec<Matrix3<f64>>,
     /// `(s + a, x, y)` of every vertex.
     pub straight: Vec<Point3<f64>>,
@@ -66,8 +67,8 @@ pub struct Medial {
     pub target: CenterLine,
 }
 
-/// A correspondence of `source` with `target`, in one pose. Surfaces that are not elongated have coordinates too, with which little
-/// is gained.
+/// A correspondence of `source` with `target`, in one pose. Surfaces that are not elongated have coordinates too, but
+/// these are of little use.
 ///
 /// # Errors
 /// [`MethodError::Singular`] if a surface has no eigenfunction or no length; [`MethodError::Cancelled`].
@@ -105,7 +106,7 @@ pub fn register(
         .collect();
     let distances: Vec<f64> = turns.par_iter().map(apart).collect();
     checkpoint(observer)?;
-    // The first of equally good ones: no turn at all, where surfaces are copies.
+    // Ties go to the first: no rotation at all if the surfaces are copies.
     let best = (1..turns.len()).fold(0, |best, k| if distances[k] < distances[best] { k } else { best });
     let turn = turns[best];
     let images = moving.par_iter().map(|p| image(&(turn * p))).collect();
@@ -113,10 +114,11 @@ pub fn register(
 }
 
 impl CenterLine {
-    /// The center line of the piece of `mesh` that has the most vertices, with the coordinates of all vertices; `None` if it has no
-    /// eigenfunction, or one without an extent. Points of other pieces have the section of the closest point of that piece.
+    /// The center line of the piece of `mesh` with the most vertices, and the coordinates of all vertices; `None` if
+    /// that piece has no eigenfunction, or one without an extent. Points of other pieces get the section of the closest
+    /// point of that piece.
     pub fn of(mesh: &SurfaceMesh, options: &MedialOptions) -> Option<CenterLine> {
-        // On a surface of several pieces the first functions tell pieces apart, and do not run along any.
+        // On a surface with several pieces the first functions distinguish the pieces and do not run along any of them.
         let piece = &largest_component(mesh).mesh;
         let found = spectrum(piece, 2, &Silent).ok().flatten()?;
         if found.values.len() < 2 {
@@ -187,13 +189,13 @@ impl CenterLine {
         self.lengths.last().copied().unwrap_or(0.0)
     }
 
-    /// Length of the line over the root mean square distance of the vertices from it; `None` for a surface without one of them.
+    /// Length of the line over the root mean square distance of the vertices from it; `None` if either is zero.
     pub fn slenderness(&self) -> Option<f64> {
         let ratio = self.length() / self.radius();
         (ratio.is_finite() && ratio > 0.0).then_some(ratio)
     }
 
-    /// Distance of the ends of the line over its length: 1 for a straight one.
+    /// Distance of the ends of the line over its length: 1 for a straight line.
     pub fn straightness(&self) -> f64 {
         match self.points.as_slice() {
             [first, .., last] => (last - first).norm() / self.length(),
@@ -201,7 +203,7 @@ impl CenterLine {
         }
     }
 
-    /// Coordinates about the middle of the line, of a tube of radius 1 and length `ratio`.
+    /// Coordinates about the middle of the line, for a tube of radius 1 and length `ratio`.
     fn normalized(&self, ratio: f64) -> Vec<Point3<f64>> {
         let (length, radius) = (self.length(), self.radius());
         let scaled = |p: &Point3<f64>| Point3::new(ratio * (p.x / length - 0.5), p.y / radius, p.z / radius);
@@ -209,7 +211,7 @@ impl CenterLine {
     }
 }
 
-/// Values of the function between which equal areas lie, ascending. `order` sorts the vertices by it.
+/// Values of the function that separate equal areas, ascending. `order` sorts the vertices by it.
 fn levels(along: &[f64], areas: &[f64], order: &[usize], n: usize) -> Vec<f64> {
     let total: f64 = areas.iter().sum();
     let (mut levels, mut below) = (Vec::with_capacity(n), 0.0);
@@ -222,7 +224,7 @@ fn levels(along: &[f64], areas: &[f64], order: &[usize], n: usize) -> Vec<f64> {
     levels
 }
 
-/// The centroid of the curve on which the function has the value `level`; `None` where it does not pass through a triangle.
+/// The centroid of the curve on which the function has the value `level`; `None` if the curve crosses no triangle.
 fn center_of_section(mesh: &SurfaceMesh, along: &[f64], level: f64) -> Option<Point3<f64>> {
     let v = mesh.vertices();
     let (mut sum, mut length) = (Vector3::zeros(), 0.0);
@@ -253,7 +255,7 @@ fn frames_that_turn_least(points: &[Point3<f64>]) -> Option<Vec<Matrix3<f64>>> {
     let tangents: Option<Vec<Vector3<f64>>> =
         (0..=last).map(|k| (points[(k + 1).min(last)] - points[k.saturating_sub(1)]).try_normalize(0.0)).collect();
     let tangents = tangents?;
-    // Any axis across the first tangent: the angle between two surfaces is searched for.
+    // The axis across the first tangent is arbitrary: the angle between two surfaces is searched for.
     let least = tangents[0].iamin();
     let mut axis = tangents[0].cross(&Vector3::ith(least, 1.0)).normalize();
     let mut frames = Vec::with_capacity(points.len());
@@ -264,7 +266,7 @@ fn frames_that_turn_least(points: &[Point3<f64>]) -> Option<Vec<Matrix3<f64>>> {
             let (moved_axis, moved_tangent) = (reflected(&axis, &between), reflected(&tangents[k - 1], &between));
             let second = tangents[k] - moved_tangent;
             axis = if second.norm_squared() > 0.0 { reflected(&moved_axis, &second) } else { moved_axis };
-            // Rounding adds up along the line.
+            // Rounding errors add up along the line.
             axis = (axis - tangents[k] * axis.dot(&tangents[k])).try_normalize(0.0)?;
         }
         frames.push(Matrix3::from_columns(&[tangents[k], axis, tangents[k].cross(&axis)]));
@@ -315,7 +317,7 @@ mod tests {
         let index = ClosestPointIndex::new(&target);
         let nearest: Vec<_> = posed.vertices().iter().map(|p| index.closest(p).point).collect();
         let (error, before) = (rms(&found.images, &truth), rms(&nearest, &truth));
-        // Asked for before it was measured: a fifth of what nearest points leave.
+        // The bound was fixed before the measurement: a fifth of the error of nearest points.
         assert!(error < 0.2 * before, "{error} of {before}");
     }
 
@@ -349,7 +351,8 @@ mod tests {
         let mesh = mesh.with_vertices(mesh.vertices().iter().map(|p| bent(p, angle)).collect()).unwrap();
         let line = CenterLine::of(&mesh, &MedialOptions::default()).unwrap();
         let center = Point3::new(0.0, 36.0 / angle, 0.0);
-        // The last sections are of a few triangles, and the ends are vertices: 0.28 was found there, with 0.2 asked for.
+        // The last sections consist of a few triangles, and the ends are vertices: 0.28 was found there, with a bound
+        // of 0.2.
         for p in &line.points[4..line.points.len() - 4] {
             assert!(((p - center).norm() - 36.0 / angle).abs() < 0.05 * 4.0, "{p}");
         }
@@ -365,7 +368,8 @@ mod tests {
             assert!((z(f) - z(&frames[0])).norm() < 1e-9);
             assert!((f.determinant() - 1.0).abs() < 1e-12);
         }
-        // A helix of radius 1 and pitch 2π b: a frame that does not turn lags behind the principal normal by b / √(1 + b²) a radian.
+        // A helix of radius 1 and pitch 2π b: a frame without rotation lags behind the principal normal by b / √(1 +
+        // b²) per radian.
         let (b, n) = (0.5, 4000);
         let at = |t: f64| Point3::new(t.cos(), t.sin(), b * t);
         let helix: Vec<_> = (0..=n).map(|k| at(TAU * f64::from(k) / f64::from(n))).collect();

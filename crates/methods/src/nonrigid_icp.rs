@@ -1,15 +1,15 @@
-//! Optimal-step non-rigid ICP: a locally affine map of every vertex, stiff at first and softened step by step.
+//! Optimal-step non-rigid ICP: a locally affine map of every vertex, stiff at first and then softened stepwise.
 //!
 //! Each vertex has a `3 × 4` affine map `X_i`. For a stiffness `α` and the closest points `u_i` of the target,
 //!
 //! `E = Σ_i w_i ‖X_i (v_i, 1) − u_i‖² + α Σ_edges ‖(X_i − X_j) diag(1, 1, 1, γ)‖²`
 //!
-//! is minimized exactly, by one sparse Cholesky factorization; closest points are found anew until the map rests, then `α` is
-//! lowered. A closest point does not count (`w_i = 0`) on a boundary or where normals disagree.
+//! is minimized exactly, by one sparse Cholesky factorization. Closest points are searched again until the map
+//! converges, then `α` is lowered. A closest point has no weight (`w_i = 0`) on a boundary or where normals disagree.
 //!
-//! Source: Amberg, Romdhani, Vetter, "Optimal step nonrigid ICP algorithms for surface registration", CVPR 2007. The weights
-//! `w_i` sum to 1 here, by area: then `α` means the same for any sampling, since the sum over edges of a surface does
-//! already.
+//! Source: Amberg, Romdhani, Vetter, "Optimal step nonrigid ICP algorithms for surface registration", CVPR 2007. Here
+//! the weights `w_i` are shares of the area and sum to 1, which makes `α` independent of the sampling, since the sum
+//! over edges of a surface is so already.
 
 use crate::MethodError;
 use faer::Mat;
@@ -20,25 +20,26 @@ use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::{Matrix3x4, Point3, Vector4};
 use rayon::prelude::*;
 
-/// Weight of the identity in every map: what determines those of a piece without any closest point that counts.
+/// Weight of the identity in every map: determines the maps of a piece without any weighted closest point.
 const LEAST_WEIGHT: f64 = 1e-12;
 
-/// Settings; lengths in roots of the area. The defaults of the first stiffness and of `γ` are the best of ten pairs of values tried
-/// on three real warps; with 1 and 1 two of them ended farther from the truth or no closer than they began.
+/// Settings; lengths in square roots of the area. The defaults of the first stiffness and of `γ` are the best of ten
+/// pairs of values tried on three real warps; with 1 and 1 two of them ended no closer to the truth than they began.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NonrigidIcpOptions {
-    /// First stiffness `α`: at 1 differences of maps cost as much as distances of the size of the surface. The stiffer it begins
-    /// the more closest points slip; a pose that is known allows for less.
+    /// First stiffness `α`: at 1 differences of maps cost as much as distances of the size of the surface. The larger
+    /// it is, the more closest points slip; a known pose allows a smaller one.
     pub first_stiffness: f64,
-    /// Last stiffness: its root, the length over which maps are alike, is the distance of 500 samples.
+    /// Last stiffness: its square root, the length over which maps are alike, is the distance of 500 samples.
     pub last_stiffness: f64,
-    /// Number of stiffnesses, each the same share of the one before.
+    /// Number of stiffnesses, a geometric sequence.
     pub n_stiffnesses: u32,
-    /// Most searches for closest points at one stiffness.
+    /// Largest number of searches for closest points per stiffness.
     pub max_iterations: u32,
-    /// The next stiffness follows when vertices move by less than this on average (root mean square).
+    /// Root mean square movement of the vertices below which the next stiffness follows.
     pub tolerance: f64,
-    /// Weight `γ` of translations against linear parts: linear parts have to be stiffer, or vertices turn and shear in place.
+    /// Weight `γ` of translations relative to linear parts: linear parts must be stiffer, or vertices rotate and shear
+    /// in place.
     pub gamma: f64,
     /// Least cosine between normals.
     pub least_cosine: f64,
@@ -66,7 +67,7 @@ pub struct LocallyAffine {
 }
 
 impl LocallyAffine {
-    /// The image of `p`, whose closest point of the source is `at`: by the maps of the corners, blended.
+    /// The image of `p`, whose closest point of the source is `at`: the interpolated maps of the corners.
     pub fn moved(&self, p: &Point3<f64>, at: &ClosestPoint) -> Point3<f64> {
         Point3::from(at.blend(|k| self.maps[k] * p.to_homogeneous()))
     }
@@ -80,11 +81,11 @@ impl LocallyAffine {
 /// Moves `source` onto `target`.
 ///
 /// # Errors
-/// [`MethodError::Singular`] if no vertex has a closest point that counts; [`MethodError::Cancelled`].
+/// [`MethodError::Singular`] if no vertex has a weighted closest point; [`MethodError::Cancelled`].
 ///
 /// # Cost
-/// At most `n_stiffnesses · max_iterations` factorizations of a sparse `4n × 4n` matrix, one thread each; memory about
-/// `O(n log n)`, 1.5 kB a vertex and more for the factor.
+/// At most `n_stiffnesses · max_iterations` factorizations of a sparse `4n × 4n` matrix, each on one thread; memory
+/// about `O(n log n)`, 1.5 kB per vertex plus the factor.
 pub fn register(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
@@ -140,7 +141,7 @@ fn on_rim(found: &ClosestPoint, boundary: Option<&[bool]>) -> bool {
     boundary.is_some_and(|b| (0..3).all(|k| b[found.triangle[k] as usize] || found.barycentric[k] < 1e-6))
 }
 
-/// The normal equations of all steps: one pattern with other values.
+/// The normal equations of all steps: one pattern with different values.
 struct System<'a> {
     source: &'a SurfaceMesh,
     /// Shares of the area; they sum to 1.
@@ -197,7 +198,7 @@ impl<'a> System<'a> {
         values
     }
 
-    /// The maps of least energy for closest points with weights.
+    /// The maps of least energy for weighted closest points.
     fn solve(&self, pairs: &[(f64, Point3<f64>)], stiffness: f64) -> Option<LocallyAffine> {
         let factor = self.pattern.factorize(&self.values(pairs, stiffness))?;
         let vertices = self.source.vertices();

@@ -1,9 +1,9 @@
 //! SPHARM-PDM: points of equal parameter correspond.
 //!
-//! Each surface of genus 0 is mapped onto the unit sphere with equal areas and little distortion; the sphere is turned so that
-//! the axes of the first-order ellipsoid lie on the coordinate axes; then points with the same parameter correspond. Axes
-//! have no sign: of the four rotations that differ by half turns the one is taken under which corresponding points lie closest
-//! in the given pose. A series of spherical harmonics describes each surface.
+//! Each surface of genus 0 is mapped onto the unit sphere with equal areas and little distortion. The sphere is rotated
+//! so that the axes of the first-order ellipsoid lie on the coordinate axes; then points with the same parameter
+//! correspond. Axes have no sign: of the four rotations that differ by half turns, the one is chosen for which
+//! corresponding points lie closest in the given pose. A series of spherical harmonics describes each surface.
 //!
 //! Sources: Brechbühler, Gerig, Kübler, "Parametrization of closed surfaces for 3-D shape description", 1995; Styner et al.,
 //! "Framework for the statistical shape analysis of brain structures using SPHARM-PDM", Insight Journal, 2006.
@@ -37,11 +37,11 @@ impl Default for SpharmOptions {
 pub struct Spharm {
     /// The point of the target with the same parameter, for every source vertex.
     pub images: Vec<Point3<f64>>,
-    /// The same on the series of the target.
+    /// The corresponding points on the series of the target.
     pub reconstructed: Vec<Point3<f64>>,
-    /// The series of the source, over its own sphere turned to its axes.
+    /// The series of the source, over its own sphere rotated to its axes.
     pub source: HarmonicSeries,
-    /// The series of the target, over its sphere turned so that equal parameters correspond.
+    /// The series of the target, over its sphere rotated so that equal parameters correspond.
     pub target: HarmonicSeries,
 }
 
@@ -58,7 +58,7 @@ struct Parametrized {
 /// [`MethodError::Sphere`]; [`MethodError::Singular`] if the vertices do not determine a series; [`MethodError::Cancelled`].
 ///
 /// # Cost
-/// As two maps onto the sphere ([`parametrize`]), and `O(n degree⁴)`.
+/// Two maps onto the sphere ([`parametrize`]), and `O(n degree⁴)`.
 pub fn register(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
@@ -113,8 +113,8 @@ fn parametrized(
     Ok(Parametrized { directions, areas: vertex_areas(mesh) })
 }
 
-/// For every one of `wanted` the point of `target` at that parameter; `directions` are those of its vertices. `None` if a
-/// number is not finite.
+/// For each of `wanted` the point of `target` at that parameter; `directions` are the directions of its vertices.
+/// `None` if a number is not finite.
 fn at_equal_parameters(
     wanted: &[Vector3<f64>],
     directions: &[Vector3<f64>],
@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn a_stretched_surface_corresponds_better_than_by_closest_points() {
-        // Along a lengthened axis closest points slip, and equal areas stretch along.
+        // Along a lengthened axis closest points slip, and equal areas stretch along it.
         let mesh = bean(4);
         let truth: Vec<_> = mesh.vertices().iter().map(|p| Point3::new(1.3 * p.x, p.y, p.z)).collect();
         let target = mesh.with_vertices(truth.clone()).unwrap();

@@ -1,4 +1,4 @@
-//! A Markov random field whose labels are the vertices of a graph, and minimisers of its energy.
+//! A Markov random field whose labels are the vertices of a graph, and minimizers of its energy.
 //!
 //! ```text
 //! E(x) = Σ_i θ_i(x_i) + Σ_{ij ∈ edges} θ_ij(x_i, x_j)          lower is better, no unit
@@ -7,16 +7,17 @@
 //! θ_ij(x, y) = min(β · |ℓ_ij − d'(x, y)| / ℓ', T)   if y ∈ N_r(x),   else T          pairwise
 //! ```
 //!
-//! A **variable** `i` takes a **label** `x_i`; an assignment of all variables is a **labeling**. The unary potential `θ_i(x)`
-//! is what label `x` costs variable `i`, the pairwise potential `θ_ij(x, y)` what two neighbouring variables pay for their
-//! labels. Unary potentials may come from anywhere; those of the formula compare vertex features `f` with robust scales
-//! `s_f` ([`unary_potentials`]), with weights `w_f` that may be learned ([`learned_weights`]). Labels are vertices of a graph themselves: `N_r(x)` are the labels within `r` edges of `x`,
-//! itself included, at distances `d'`. Neighbouring variables whose labels are not neighbours pay the truncation `T`;
-//! others pay for the difference between the length `ℓ_ij` of their edge and the distance of their labels, in units of `ℓ'`.
+//! A **variable** `i` takes a **label** `x_i`; an assignment of all variables is a **labeling**. The unary potential
+//! `θ_i(x)` is the cost of label `x` for variable `i`. The pairwise potential `θ_ij(x, y)` is the cost of the labels of
+//! two neighboring variables. Unary potentials may come from any source; those of the formula compare vertex features
+//! `f` with robust scales `s_f` ([`unary_potentials`]), with weights `w_f` that may be learned ([`learned_weights`]).
+//! Labels are vertices of a graph themselves: `N_r(x)` are the labels within `r` edges of `x`, itself included, at
+//! distances `d'`. Neighboring variables whose labels are not neighbors pay the truncation `T`. Others pay for the
+//! difference between the length `ℓ_ij` of their edge and the distance of their labels, in units of `ℓ'`.
 //!
-//! In homolog the variables are the vertices of a source surface and the labels those of a target surface. Nothing here
-//! knows a surface: a model is a graph, a table of unary potentials and label neighbourhoods. Minimisers are in
-//! [`inference`]: belief propagation, simulated annealing, Las Vegas, and a lower bound on the energy.
+//! In homolog the variables are the vertices of a source surface and the labels are the vertices of a target surface.
+//! This crate knows no surface: a model is a graph, a table of unary potentials and label neighborhoods. Minimizers are
+//! in [`inference`]: belief propagation, simulated annealing, Las Vegas, and a lower bound on the energy.
 //! Correspondences between surfaces that bend have an energy of their own, [`metric`].
 //!
 //! ```
@@ -50,10 +51,10 @@ pub use precisions::learned_weights;
 
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
 
-/// A labeling: for every variable the label it has.
+/// A labeling: the label of every variable.
 pub type Labeling = Vec<u32>;
 
-/// The energy: graph, unary table and truncated pairwise potentials. Immutable while it is minimised.
+/// The energy: graph, unary table and truncated pairwise potentials. Immutable while it is minimized.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MrfModel {
     /// Edges between variables.
@@ -68,7 +69,7 @@ pub struct MrfModel {
     pub pairwise: PairwisePotential,
 }
 
-/// `θ_ij(x, y)` as a function of `ℓ_ij` and, within the neighbourhood, `d'(x, y)`.
+/// `θ_ij(x, y)` as a function of `ℓ_ij` and, within the neighborhood, `d'(x, y)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairwisePotential {
     /// Weight `β` of the difference of distances.
@@ -80,7 +81,7 @@ pub struct PairwisePotential {
 }
 
 impl PairwisePotential {
-    /// The potential for a source edge of `length` and labels at `distance` if they are neighbours, else `None`.
+    /// The potential for a source edge of `length` and labels at `distance` if they are neighbors, else `None`.
     pub fn potential(&self, length: f64, distance: Option<f64>) -> f64 {
         match distance {
             Some(d) => (self.beta * (length - d).abs() / self.length_scale).min(self.truncation),
@@ -88,7 +89,7 @@ impl PairwisePotential {
         }
     }
 
-    /// `ε = exp(−T)`: 0 for the hard constraint, a truncation of infinity; pairs outside the neighbourhood then add
+    /// `ε = exp(−T)`, or 0 for an infinite truncation (the hard constraint): pairs outside the neighborhood then add
     /// nothing to a message.
     pub(crate) fn epsilon(&self) -> f32 {
         (-self.truncation).exp() as f32
@@ -142,7 +143,7 @@ impl MrfModel {
         self.labels.n_labels()
     }
 
-    /// `θ_i(·)`, one value a label.
+    /// `θ_i(·)`, one value per label.
     pub fn unary_row(&self, variable: usize) -> &[f32] {
         let n = self.n_labels();
         &self.unary[variable * n..(variable + 1) * n]
@@ -156,17 +157,17 @@ impl MrfModel {
 
     /// `E(labeling)`, term by term in a fixed order. Cost `O(|E→| log k̄)`.
     ///
-    /// With a truncation of infinity (the hard neighbourhood constraint) a labeling that breaks a neighbourhood has
-    /// infinite energy, and this says so. JSON has no infinity: a report then leaves the energy out and gives
+    /// With an infinite truncation (the hard neighborhood constraint) a labeling that breaks a neighborhood has
+    /// infinite energy, which is returned. JSON has no infinity: a report then omits the energy and gives
     /// [`MrfModel::broken_edges`] instead.
     pub fn energy(&self, labeling: &[u32]) -> Energy {
         let unary = |i: usize| self.unary_row(i)[labeling[i] as usize];
         Energy::sum(&self.variables, unary, |edge, i, j| self.pairwise_potential(edge, labeling[i], labeling[j]))
     }
 
-    /// Edges (each counted once) whose labels are no neighbours, `y ∉ N_r(x)`: those that pay the truncation because
-    /// of where they went and not of how far. 0 means that the labeling keeps every neighbourhood, and that its
-    /// energy is finite also where the truncation is not. Cost `O(|E→| log k̄)`.
+    /// Number of edges (each counted once) whose labels are not neighbors, `y ∉ N_r(x)`. These pay the truncation
+    /// because of their labels' places, not because of a difference of lengths. 0 means that the labeling keeps every
+    /// neighborhood, and that its energy is finite even with an infinite truncation. Cost `O(|E→| log k̄)`.
     pub fn broken_edges(&self, labeling: &[u32]) -> usize {
         let broken = |i: usize, j: usize| {
             i < j && self.labels.distance_within(labeling[i] as usize, labeling[j] as usize).is_none()
@@ -176,7 +177,7 @@ impl MrfModel {
             .sum()
     }
 
-    /// The labeling that every unary potential prefers alone; the lowest label where two are equal.
+    /// The labeling of the lowest unary potentials; ties go to the lowest label.
     pub fn unary_minimum(&self) -> Labeling {
         (0..self.n_variables())
             .map(|i| {

@@ -8,15 +8,15 @@ use rayon::prelude::*;
 pub struct Feature {
     /// Weight `w_f`.
     pub weight: f64,
-    /// Its value `f_i` at every variable.
+    /// Value `f_i` at every variable.
     pub source: Vec<f64>,
-    /// Its value `f'_x` at every label.
+    /// Value `f'_x` at every label.
     pub target: Vec<f64>,
 }
 
 impl Feature {
-    /// Robust scale `s_f`: 1.4826 times the median absolute deviation, pooled over both surfaces (1.4826 makes it
-    /// the standard deviation where values are normally distributed). Never 0: a constant feature gets scale 1.
+    /// Robust scale `s_f`: 1.4826 times the median absolute deviation, pooled over both surfaces (for normally
+    /// distributed values the factor makes it the standard deviation). Never 0: a constant feature gets scale 1.
     pub fn robust_scale(&self) -> f64 {
         let mut values: Vec<f64> = self.source.iter().chain(&self.target).copied().collect();
         let center = median(&mut values);
@@ -33,7 +33,7 @@ fn median(values: &mut [f64]) -> f64 {
     *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
-/// Unary potentials `θ_i(x) = α · mean_f [ w_f · min(|f_i − f'_x| / s_f, τ)^p ]`, computed where they are asked for: those of
+/// Unary potentials `θ_i(x) = α · mean_f [ w_f · min(|f_i − f'_x| / s_f, τ)^p ]`, computed on demand: the values of
 /// [`unary_potentials`] without its table.
 ///
 /// Memory `O((variables + labels) · features)`; a row costs `O(labels · features)`, a label `O(features)`.
@@ -65,7 +65,7 @@ impl FeaturePotentials {
         FeaturePotentials { scaled: scaled.collect(), cap: cap as f32, order: order as f32 }
     }
 
-    /// Potentials of `variable` at every label into `row`.
+    /// Writes the potentials of `variable` at every label into `row`.
     pub(crate) fn fill_row(&self, variable: usize, row: &mut [f32]) {
         row.fill(0.0);
         for f in &self.scaled {
@@ -73,7 +73,7 @@ impl FeaturePotentials {
         }
     }
 
-    /// Potentials of `variable` at `labels` into `values`, one each.
+    /// Writes the potentials of `variable` at `labels` into `values`, one each.
     pub(crate) fn fill_at(&self, variable: usize, labels: &[u32], values: &mut [f32]) {
         values.fill(0.0);
         for f in &self.scaled {
@@ -81,7 +81,8 @@ impl FeaturePotentials {
         }
     }
 
-    /// Adds the term of one feature at `at` to every potential of `values`, whose labels have it at `targets`.
+    /// Adds the term of one feature with value `at` to every potential of `values`, whose labels have the feature
+    /// values `targets`.
     fn add(&self, weight: f32, at: f32, targets: impl Iterator<Item = f32>, values: &mut [f32]) {
         if self.order == 1.0 {
             for (theta, value) in values.iter_mut().zip(targets) {
@@ -101,7 +102,7 @@ impl FeaturePotentials {
 /// `alpha ≥ 0`, `cap` is `τ`, `order` is `p`. Cost `O(variables · labels · features)`, on all cores.
 ///
 /// # Errors
-/// [`Cancelled`], asked at every variable.
+/// [`Cancelled`]; the observer is asked at every variable.
 pub fn unary_potentials(
     features: &[Feature],
     alpha: f64,

@@ -1,17 +1,17 @@
-//! Weights of features learned from the two surfaces alone.
+//! Weights of features, learned from the two surfaces alone.
 //!
-//! A feature is worth as much as it tells true pairs from others. In units of its scale let `b_f` be the mean difference of the
-//! feature between corresponding points and `r_f` that between any two. If differences have Laplace distributions of these means,
-//! the logarithm of the odds that a pair corresponds falls by `1/b_f − 1/r_f` a unit of difference: that is its weight, and a feature
-//! which differs between corresponding points as between any two has none. This is the rule of record linkage (Fellegi, Sunter),
-//! with its way to learn the distributions without known pairs: expectation and maximization over which label each
-//! variable has.
+//! A feature is worth as much as it separates true pairs from others. In units of its scale, let `b_f` be the mean
+//! difference of the feature between corresponding points and `r_f` the mean difference between any two points. If
+//! differences have Laplace distributions of these means, the logarithm of the odds that a pair corresponds falls by
+//! `1/b_f − 1/r_f` per unit of difference. This is the weight of the feature; a feature that differs between
+//! corresponding points as between any two has weight 0. The rule is that of record linkage (Fellegi, Sunter), which
+//! also learns the distributions without known pairs, by expectation and maximization over the label of each variable.
 //!
-//! A feature that chooses the pairs on which it is judged looks precise: noise picks the labels that happen to agree with it. One that
-//! has no say looks as imprecise as the others are. So it counts half where it is judged itself, and with it, where there are three
-//! or more groups, all features of its group, which share their errors, as components of one descriptor do. With a full say noise
-//! beside two features could win over them, and without one precise features were not told from noisy ones; with half both were
-//! right on synthetic features of known noise.
+//! A feature that chooses the pairs on which it is judged looks precise: noise picks the labels that happen to agree
+//! with it. A feature that has no say looks as imprecise as the others are. A feature therefore counts half where it is
+//! judged itself. With three or more groups all features of its group count half too, because they share their errors,
+//! like the components of one descriptor. On synthetic features of known noise, half was right. With full weight, noise
+//! could win over two features beside it; with none, precise features were not told from noisy ones.
 //!
 //! Sources: Fellegi, Sunter, "A theory for record linkage", JASA 64, 1969; Dempster, Laird, Rubin 1977.
 
@@ -20,25 +20,26 @@ use rayon::prelude::*;
 
 /// Steps of expectation and maximization.
 const STEPS: usize = 10;
-/// Mean difference of corresponding points at the start, as a share of that of any two.
+/// Initial mean difference of corresponding points, as a share of the mean difference of any two.
 const FIRST: f64 = 0.2;
-/// How much a feature counts where it is judged itself.
+/// Weight of a feature where it is judged itself.
 const OWN_SAY: f64 = 0.5;
-/// Variables that are looked at, evenly spread over their numbers.
+/// Largest number of variables considered, evenly spread over their numbers.
 const MOST_VARIABLES: usize = 400;
-/// Mean differences are taken to be at least this share of that between any two: a feature of rational numbers may agree exactly.
+/// Least mean difference of corresponding points, as a share of the mean difference of any two: a feature of rational
+/// numbers may agree exactly.
 const LEAST: f64 = 0.02;
-/// Weights count in the probabilities as if this many features were independent, if there are more: those of several scales and
-/// those of one descriptor are not.
+/// Number of features beyond which weights count in the probabilities as if only this many were independent: features
+/// of several scales or of one descriptor are not independent.
 const INDEPENDENT: f64 = 6.0;
 
-/// Weights of `features` for [`unary_potentials`](super::unary_potentials), each the product of the feature's own and of what was
-/// learned, with the same sum as their own. `groups` has the number of the group that each feature belongs to, `cap` is `τ`.
-/// Their own weights are returned if no feature tells anything.
+/// Weights of `features` for [`unary_potentials`](super::unary_potentials): the product of each feature's own weight
+/// and the learned one, scaled to the sum of the own weights. `groups` has the group number of each feature, `cap` is
+/// `τ`. Returns the own weights if no feature is informative.
 ///
 /// # Cost
-/// `O(variables · labels · features)` a step for ten steps with at most 400 variables, on all threads; the same bits on any
-/// number of them.
+/// `O(variables · labels · features)` per step, for ten steps with at most 400 variables, on all threads; any number of
+/// threads gives the same bits.
 pub fn learned_weights(features: &[Feature], groups: &[usize], cap: f64) -> Vec<f64> {
     let own: Vec<f64> = features.iter().map(|f| f.weight).collect();
     let random = differences(features, cap);
@@ -57,12 +58,12 @@ pub fn learned_weights(features: &[Feature], groups: &[usize], cap: f64) -> Vec<
     weights
 }
 
-/// `1/b − 1/r`, 0 where the feature tells nothing.
+/// `1/b − 1/r`, or 0 where the feature is uninformative.
 fn slope(b: f64, r: f64) -> f64 {
     if r > 0.0 { (1.0 / b.max(LEAST * r) - 1.0 / r).max(0.0) } else { 0.0 }
 }
 
-/// Values of a feature in units of its scale at the variables that are looked at, and at all labels.
+/// Values of a feature in units of its scale at the considered variables, and at all labels.
 fn scaled(feature: &Feature) -> (Vec<f64>, Vec<f64>) {
     let scale = feature.robust_scale();
     let step = feature.source.len().div_ceil(MOST_VARIABLES).max(1);
@@ -82,12 +83,13 @@ fn differences(features: &[Feature], cap: f64) -> Vec<f64> {
     features.par_iter().map(of).collect()
 }
 
-/// Mean capped difference of each feature under the probabilities that all features give to labels, its own at half their say.
+/// Mean capped difference of each feature under the label probabilities from all features, with the judged feature at
+/// half weight.
 fn expected(features: &[Feature], groups: &[usize], slopes: &[f64], cap: f64, random: &[f64]) -> Vec<f64> {
     let values: Vec<_> = features.iter().map(scaled).collect();
     let (n, m) = values.first().map_or((0, 0), |(source, target)| (source.len(), target.len()));
     let n_groups = groups.iter().collect::<std::collections::BTreeSet<_>>().len();
-    // The features that judge together: one of a group, or each alone.
+    // Features that are judged together: those of a group, or each alone.
     let judged: Vec<usize> = if n_groups >= 3 { groups.to_vec() } else { (0..features.len()).collect() };
     let kinds: std::collections::BTreeSet<usize> = judged.iter().copied().collect();
     let exponent = (INDEPENDENT / slopes.iter().filter(|s| **s > 0.0).count().max(1) as f64).min(1.0);

@@ -1,12 +1,12 @@
 //! `exp(x)` for `x ≤ 0`, for loops over many numbers.
 //!
-//! Without fused operations, so that a loop around it vectorizes and every instruction set gives the same bits. Source: range
-//! reduction by `ln 2` in two parts, and the minimax polynomial (32 bits) or rational function (64 bits) of Moshier's Cephes
-//! library (`expf`, `exp`).
+//! It uses no fused operations, so a loop around it vectorizes and gives the same bits on every instruction set.
+//! Source: range reduction by `ln 2` in two parts, and the minimax polynomial (32 bits) or rational function (64 bits)
+//! of Moshier's Cephes library (`expf`, `exp`).
 
-/// 1.5 · 2²³: adding it rounds to the nearest integer and leaves that in the low bits.
+/// 1.5 · 2²³: adding it rounds a number to the nearest integer, which ends in the low bits.
 const ROUND: f32 = 12_582_912.0;
-/// Below this the exponential is no normal number, and 0 is returned.
+/// Exponent below which the result would be subnormal; 0 is returned instead.
 const SMALLEST_EXPONENT: f32 = -87.0;
 
 /// `exp(x)` for `x ≤ 0`, to two units in the last place; 0 below −87.
@@ -26,9 +26,9 @@ pub fn exp_negative(x: f32) -> f32 {
     if x > SMALLEST_EXPONENT { fraction * power } else { 0.0 }
 }
 
-/// 1.5 · 2⁵²: as [`ROUND`].
+/// 1.5 · 2⁵²: the counterpart of [`ROUND`] for 64 bits.
 const ROUND_F64: f64 = 6_755_399_441_055_744.0;
-/// As [`SMALLEST_EXPONENT`].
+/// The counterpart of [`SMALLEST_EXPONENT`] for 64 bits.
 const SMALLEST_EXPONENT_F64: f64 = -708.0;
 
 /// `exp(x)` for `x ≤ 0`, to two units in the last place; 0 below −708.

@@ -1,6 +1,6 @@
-//! Edge graphs and the neighbourhoods `N_r` on them, in compressed rows. Knows no geometry.
+//! Edge graphs and the neighborhoods `N_r` on them, in compressed rows. Knows no geometry.
 
-/// Neighbours of every vertex; rows ascending.
+/// Neighbors of every vertex; rows ascending.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct EdgeGraph {
     offsets: Vec<u32>,
@@ -43,7 +43,7 @@ impl EdgeGraph {
         self.neighbors.len()
     }
 
-    /// Neighbours of `vertex`, ascending.
+    /// Neighbors of `vertex`, ascending.
     pub fn neighbors(&self, vertex: usize) -> &[u32] {
         &self.neighbors[self.row(vertex)]
     }
@@ -73,18 +73,18 @@ impl EdgeGraph {
     }
 }
 
-/// Tells whether two vertices lie within `r` edges of each other by searching the graph. Needs no memory, and suits callers
-/// that test a few pairs; for many tests [`LabelNeighborhoods`] stores the answers.
+/// Tells whether two vertices lie within `r` edges of each other by searching the graph. It needs no memory and suits
+/// callers that test a few pairs; [`LabelNeighborhoods`] stores the answers for many tests.
 #[derive(Debug, Clone, Copy)]
 pub struct Reach<'a> {
-    /// The edges.
+    /// The graph that is searched.
     pub graph: &'a EdgeGraph,
-    /// `r`.
+    /// Radius `r`, edges.
     pub rings: usize,
 }
 
 impl Reach<'_> {
-    /// Whether `y` is in `N_r(x)`. Cost `O(k^(r−1))` for `k` neighbours a vertex; less where they are close.
+    /// Whether `y` is in `N_r(x)`. Cost `O(k^(r−1))` for `k` neighbors per vertex; less if the two are close.
     pub fn within(&self, x: u32, y: u32) -> bool {
         let Reach { graph, rings } = *self;
         let of_x = graph.neighbors(x as usize);
@@ -157,17 +157,17 @@ impl LabelNeighborhoods {
         self.offsets.len() - 1
     }
 
-    /// The graph whose edges `N_r` counts: `N_r(x)` is `N_1` taken `r` times.
+    /// The graph whose edges define `N_1`; `N_r(x)` applies `N_1` `r` times.
     pub fn graph(&self) -> &EdgeGraph {
         &self.graph
     }
 
-    /// The `r` of `N_r`.
+    /// Radius `r`, edges.
     pub fn rings(&self) -> usize {
         self.rings
     }
 
-    /// The same neighbourhoods as a search of the graph.
+    /// The same neighborhoods, tested by a search of the graph.
     pub fn reach(&self) -> Reach<'_> {
         Reach { graph: &self.graph, rings: self.rings }
     }

@@ -29,7 +29,7 @@ pub struct Minimum {
     pub x: Vec<f64>,
     /// Steps taken.
     pub iterations: u32,
-    /// Whether the decrease of the value ended it, not the number of steps.
+    /// Whether the value stopped decreasing before the steps ran out.
     pub converged: bool,
 }
 
@@ -39,11 +39,11 @@ struct Pair {
     inverse_product: f64,
 }
 
-/// Minimizes `objective` from `x`, where it must be finite. The value falls with every step. It ends when ten steps together
-/// lower the value by less than the share `tolerance`.
+/// Minimizes `objective` from `x`, where it must be finite. The value falls with every step. The iteration ends when
+/// ten consecutive steps together lower the value by less than the share `tolerance`.
 ///
 /// # Errors
-/// [`Cancelled`], asked before every evaluation but the first.
+/// [`Cancelled`]; the observer is asked before every evaluation except the first.
 pub fn minimize(
     objective: &dyn Objective,
     mut x: Vec<f64>,
@@ -62,7 +62,7 @@ pub fn minimize(
         let direction = descent_direction(objective, &gradient, &memory, scale);
         let Some(step) = line_search(objective, &x, value, &gradient, &direction, observer)? else {
             if memory.is_empty() {
-                // Not even the preconditioned gradient is a descent direction: a minimum to rounding.
+                // The preconditioned gradient does not descend either: a minimum to rounding.
                 return Ok(Minimum { x, iterations, converged: true });
             }
             memory.clear();

@@ -1,5 +1,6 @@
-//! What all numerics of homolog share: graphs ([`graph`]), sets of points ([`points`]), progress reports and cancellation
-//! ([`observe`]), an exponential for vector loops ([`exponential`]), and a minimizer of smooth functions ([`lbfgs`]).
+//! Shared parts of all numerics of homolog: graphs ([`graph`]), sets of points ([`points`]), progress reports and
+//! cancellation ([`observe`]), an exponential for vector loops ([`exponential`]), and a minimizer of smooth functions
+//! ([`lbfgs`]).
 //!
 //! This crate knows no surface, no energy, no file and no runtime.
 

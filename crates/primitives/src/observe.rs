@@ -1,9 +1,9 @@
-//! Progress, energy trace and cancellation of a running computation: one [`Observer`] that every minimiser and the pipeline
-//! call.
+//! Progress, energy trace and cancellation of a running computation. Every minimizer and the pipeline report to one
+//! [`Observer`].
 //!
-//! The numerics know no clock, no job and no terminal. They report to the observer the phase they are in, the share of the
-//! work that is done and every point of the energy trace, and ask it whether to go on. Its implementations (the worker, the
-//! command line, tests) add sequence numbers and times.
+//! The numerics know no clock, no job and no terminal. They report the current phase, the share of the work done and
+//! every point of the energy trace, and ask whether to continue. Implementations (the worker, the command line, tests)
+//! add sequence numbers and times.
 
 /// The steps of a matching job, in the order in which they usually run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -17,7 +17,7 @@ pub enum Phase {
     Features,
     /// Bounding the energy from below.
     Bounding,
-    /// Minimising the energy.
+    /// Minimizing the energy.
     Inference,
     /// RANSAC and absolute orientation.
     Registration,
@@ -152,7 +152,7 @@ impl TracePoint {
 /// Receives the progress of a computation and may cancel it. All methods are called often, from one thread at a time, and
 /// should return quickly.
 pub trait Observer: Sync {
-    /// The observer to which everything is passed on that this one does not take itself; none by default.
+    /// The observer that receives every report this one does not handle; none by default.
     fn inner(&self) -> Option<&dyn Observer> {
         None
     }
@@ -178,8 +178,8 @@ pub trait Observer: Sync {
     fn is_cancelled(&self) -> bool {
         self.inner().is_some_and(|inner| inner.is_cancelled())
     }
-    /// The same, asked within a step, from any thread: an observer that counts the steps by the calls of
-    /// [`Observer::is_cancelled`] does not count it.
+    /// Like [`Observer::is_cancelled`], but called within a step and from any thread. Observers that count steps by the
+    /// calls of [`Observer::is_cancelled`] do not count this call.
     fn is_stopped(&self) -> bool {
         match self.inner() {
             Some(inner) => inner.is_stopped(),
@@ -199,8 +199,8 @@ impl Observer for Silent {}
 #[error("the computation was cancelled")]
 pub struct Cancelled;
 
-/// `Err(Cancelled)` once `observer` asks to stop. To be called between the steps of a computation, by which its progress is
-/// counted.
+/// `Err(Cancelled)` once `observer` asks to stop. Call it between the steps of a computation: observers count these
+/// calls as progress.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -208,8 +208,8 @@ pub fn checkpoint(observer: &dyn Observer) -> Result<(), Cancelled> {
     if observer.is_cancelled() { Err(Cancelled) } else { Ok(()) }
 }
 
-/// `Err(Cancelled)` once `observer` asks to stop. To be called within a step, between pieces of work of some milliseconds, from any
-/// thread: it does not count as a step.
+/// `Err(Cancelled)` once `observer` asks to stop. Call it within a step, between pieces of work of some milliseconds,
+/// from any thread: the call does not count as a step.
 ///
 /// # Errors
 /// [`Cancelled`].

@@ -1,7 +1,7 @@
-//! Absolute orientation: the rigid transform that fits weighted point pairs best.
+//! Absolute orientation: the rigid transform that best fits weighted point pairs.
 //!
-//! This file holds what all solvers share, the means and the covariance of the pairs ([`Moments`]) and the errors, and
-//! the solver by singular value decomposition. The others are in `orientation_solvers`.
+//! This file holds the parts shared by all solvers, which are the means and the covariance of the pairs ([`Moments`])
+//! and the errors, and the solver by singular value decomposition. `orientation_solvers` has the other solvers.
 //!
 //! Source: Arun, Huang, Blostein 1987 (singular value decomposition); Umeyama, IEEE PAMI 13(4), 1991 (the sign that
 //! keeps `det R = +1` also where the data prefer a reflection).
@@ -9,11 +9,11 @@
 use super::RigidTransform;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// Pairs whose second singular value is below this share of the first count as collinear: the rotation about their line
+/// Ratio of the second to the first singular value below which pairs count as collinear: the rotation about their line
 /// is undetermined. Far above rounding (1e-16), far below any anatomical surface (about 1e-2).
 pub(super) const COLLINEAR_RTOL: f64 = 1e-9;
 
-/// Why no transform can be fitted.
+/// Reasons why no transform can be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum OrientationError {
     /// The point lists differ in length.
@@ -61,13 +61,15 @@ pub fn absolute_orientation(
     Ok(moments.transform(svd_rotation(&moments.covariance, allow_reflection)?))
 }
 
-/// The same where the handedness is known: the best of the transforms that mirror if `mirrored`, of the others if not.
+/// Like [`absolute_orientation`] with known handedness: the best of the transforms that mirror if `mirrored`, otherwise
+/// the best of those that do not.
 ///
-/// A surface that bends can be fitted better by a transform of the other handedness, though nothing mirrors it: a flat one whose limbs turn
+/// A transform of the wrong handedness can fit a bent surface better, although nothing mirrors it: for example a flat
+/// surface whose limbs turn to its other side.
 /// to its other side.
 ///
 /// # Errors
-/// Those of [`absolute_orientation`].
+/// The errors of [`absolute_orientation`].
 pub fn absolute_orientation_of(
     source: &[Point3<f64>],
     target: &[Point3<f64>],
@@ -83,7 +85,7 @@ pub fn absolute_orientation_of(
 pub(super) struct Moments {
     pub source_mean: Vector3<f64>,
     pub target_mean: Vector3<f64>,
-    /// `Σ wᵢ d'ᵢ s'ᵢᵀ` of the centred points, mm².
+    /// `Σ wᵢ d'ᵢ s'ᵢᵀ` of the centered points, mm².
     pub covariance: Matrix3<f64>,
     /// `Σ wᵢ ‖s'ᵢ‖²`, mm².
     pub source_spread: f64,
@@ -137,19 +139,19 @@ impl Moments {
         Ok(Moments { source_mean, target_mean, covariance, source_spread, total_weight })
     }
 
-    /// The transform with this `R` that maps the mean of the source to that of the target.
+    /// The transform with rotation `R` that maps the mean of the source to the mean of the target.
     pub(crate) fn transform(&self, rotation: Matrix3<f64>) -> RigidTransform {
         RigidTransform { rotation, translation: self.target_mean - rotation * self.source_mean }
     }
 }
 
-/// Which orthogonal matrices are looked among.
+/// Set of orthogonal matrices to search.
 enum Handedness {
     /// Rotations.
     Kept,
     /// Reflections.
     Mirrored,
-    /// Both.
+    /// Rotations and reflections.
     Any,
 }
 
@@ -176,7 +178,7 @@ fn nearest_orthogonal(covariance: &Matrix3<f64>, handedness: Handedness) -> Resu
     let mirrored = match handedness {
         Handedness::Kept => false,
         Handedness::Mirrored => true,
-        // In a plane a rotation fits as well as its mirror image: take the rotation.
+        // In a plane a rotation fits as well as its mirror image; the rotation is chosen.
         Handedness::Any => fits_mirrored && !planar,
     };
     if mirrored != fits_mirrored {
@@ -195,7 +197,7 @@ mod tests {
         #[test]
         fn a_moved_cloud_gives_its_motion(seed in any::<u64>(), n in 3usize..40) {
             let (points, truth) = (cloud(seed, n), pose(seed ^ 1));
-            // Three random points can lie close to a line, about which a rotation is lost in rounding.
+            // Three random points can lie close to a line; the rotation about it is lost in rounding.
             let widest = (points[1] - points[0]).cross(&(points[2] - points[0])).norm();
             prop_assume!(n > 5 || widest > 20.0);
             let moved: Vec<_> = points.iter().map(|p| truth.apply(p)).collect();
@@ -211,7 +213,7 @@ mod tests {
             let plain = absolute_orientation(&source, &target, None, false).unwrap();
             let after_motion = absolute_orientation(&moved, &target, None, false).unwrap();
             let expected = plain.after(&motion.inverse());
-            // Unrelated clouds are nearly ambiguous at times; the residual is what the law is about.
+            // Unrelated clouds can be nearly ambiguous, so the test compares residuals.
             let cost = |t: &RigidTransform| -> f64 {
                 moved.iter().zip(&target).map(|(s, d)| (t.apply(s) - d).norm_squared()).sum()
             };

@@ -13,8 +13,8 @@ pub trait ClosestSurfacePoint: Sync {
     /// The closest point, mm, and the unit normal of the surface there.
     fn closest(&self, query: &Point3<f64>) -> (Point3<f64>, Vector3<f64>);
 
-    /// The same, unless that point is on the rim of an open surface: what `query` corresponds to may lie beyond it, where the surface is
-    /// missing.
+    /// The closest point, unless it lies on the rim of an open surface: the counterpart of `query` may then lie beyond
+    /// the rim, where the surface is missing.
     fn closest_inside(&self, query: &Point3<f64>) -> Option<(Point3<f64>, Vector3<f64>)> {
         Some(self.closest(query))
     }
@@ -23,23 +23,23 @@ pub trait ClosestSurfacePoint: Sync {
 /// The distance that ICP minimizes between a point and its closest point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IcpMetric {
-    /// Their distance.
+    /// Euclidean distance.
     PointToPoint,
-    /// Their distance along the normal of the target.
+    /// Distance along the normal of the target.
     PointToPlane,
 }
 
-/// How refinement runs.
+/// Options of the refinement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IcpOptions {
     /// The distance to minimize.
     pub metric: IcpMetric,
-    /// Share of the points, those closest to the target, that is used, in `(0, 1]`.
+    /// Share of the points that is used, in `(0, 1]`: the points closest to the target.
     pub keep: f64,
     /// Largest number of iterations.
     pub max_iterations: u32,
-    /// Iteration ends when a step rotates by less than this, radians, and moves the centroid by less than this share of
-    /// the extent.
+    /// The iteration ends when a step rotates by less than this, radians, and moves the centroid by less than this
+    /// share of the extent.
     pub tolerance: f64,
 }
 
@@ -48,7 +48,7 @@ pub struct IcpOptions {
 pub struct IcpReport {
     /// The refined transform.
     pub target_from_source: RigidTransform,
-    /// Iterations made.
+    /// Number of iterations.
     pub iterations: u32,
     /// Root mean square distance of the points used in the last iteration, before its step, mm.
     pub rms_mm: f64,
@@ -56,8 +56,8 @@ pub struct IcpReport {
     pub converged: bool,
 }
 
-/// Refines `start`, the transform of `source` (mm) to the surface `target`, by trimmed ICP. A reflection in `start` is
-/// kept.
+/// Refines `start`, the transform from `source` (mm) to the surface `target`, by trimmed ICP. A reflection in `start`
+/// is kept.
 ///
 /// # Errors
 /// [`Cancelled`].

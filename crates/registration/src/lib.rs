@@ -7,7 +7,7 @@
 //! - From no pose: [`principal_axis_poses`] gives four candidates, [`pose_search()`] searches all rotations.
 //! - Non-rigid: [`alignment`] assigns points softly to each other, [`deformation`] fits a smooth displacement field.
 //!
-//! Nothing here knows a mesh: the input is points, normals, areas, pairs, and a [`ClosestSurfacePoint`] from the
+//! This crate knows no mesh: its inputs are points, normals, areas, pairs, and a [`ClosestSurfacePoint`] from the
 //! caller. Transforms are `target_from_source`: `p' = R p + t`, mm.
 
 mod absolute_orientation;

@@ -10,7 +10,7 @@ use super::RigidTransform;
 use super::absolute_orientation::{COLLINEAR_RTOL, Moments, OrientationError, svd_rotation};
 use nalgebra::{Matrix3, Matrix4, Point3, Quaternion, SymmetricEigen, UnitQuaternion, Vector3};
 
-/// How the rotation is computed from the covariance of the pairs.
+/// Method of computing the rotation from the covariance of the pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum OrientationSolver {
     /// Singular value decomposition of the covariance.
@@ -24,7 +24,7 @@ pub enum OrientationSolver {
 }
 
 impl OrientationSolver {
-    /// All of them, in the order of the variants.
+    /// All solvers, in the order of the variants.
     pub const ALL: [Self; 3] =
         [OrientationSolver::Svd, OrientationSolver::Quaternion, OrientationSolver::OrthonormalMatrix];
 
@@ -67,8 +67,8 @@ pub fn solve_orientation(
 
 /// Whether the best orthogonal matrix is a reflection; `Degenerate` if the rotation is undetermined.
 ///
-/// Decided by the singular values of the covariance, so that every solver returns the same errors: as eigenvalues of
-/// `MᵀM` they would be squared, and the threshold would be below rounding.
+/// Uses the singular values of the covariance, so that every solver returns the same errors. As eigenvalues of `MᵀM`
+/// they would be squared, and the threshold would be below rounding.
 fn mirrors(covariance: &Matrix3<f64>, allow_reflection: bool) -> Result<bool, OrientationError> {
     let mut values: [f64; 3] = covariance.singular_values().into();
     values.sort_by(|a, b| b.total_cmp(a));
@@ -76,12 +76,13 @@ fn mirrors(covariance: &Matrix3<f64>, allow_reflection: bool) -> Result<bool, Or
     if second <= COLLINEAR_RTOL * first || first == 0.0 {
         return Err(OrientationError::Degenerate);
     }
-    // In a plane a rotation fits as well as its mirror image: take the rotation.
+    // In a plane a rotation fits as well as its mirror image; the rotation is chosen.
     let planar = last <= COLLINEAR_RTOL * first;
     Ok(allow_reflection && !planar && covariance.determinant() < 0.0)
 }
 
-/// The rotation of the unit quaternion `q` with the largest `qᵀ N q` (Horn 1987), or that of `−C`, turned round.
+/// The rotation of the unit quaternion `q` with the largest `qᵀ N q` (Horn 1987); if `mirrored`, the negated rotation
+/// of `−C`.
 fn quaternion_rotation(covariance: &Matrix3<f64>, mirrored: bool) -> Matrix3<f64> {
     // A reflection is a rotation after the inversion of space, so its best one is the best rotation for −C.
     let sign = if mirrored { -1.0 } else { 1.0 };
@@ -106,9 +107,9 @@ fn quaternion_rotation(covariance: &Matrix3<f64>, mirrored: bool) -> Matrix3<f64
 /// `M (MᵀM)^(−1/2)` by the eigenvectors `vᵢ` of `MᵀM` (Horn, Hilden, Negahdaripour 1988): `R = Σ uᵢ vᵢᵀ` with
 /// `uᵢ = M vᵢ / ‖M vᵢ‖`.
 ///
-/// The last `uᵢ` is not divided out but completes the others to a frame of the wanted sign. That is the same where `M`
-/// has full rank and its sign, it serves planar pairs, whose `MᵀM` has no inverse, and it turns the weakest direction
-/// round where the data prefer the other sign.
+/// The last `uᵢ` is not computed by division but completes the others to a frame of the wanted sign. The result is the
+/// same if `M` has full rank and the wanted sign. It also covers planar pairs, whose `MᵀM` has no inverse, and reverses
+/// the weakest direction where the data prefer the other sign.
 fn orthonormal_rotation(m: &Matrix3<f64>, mirrored: bool) -> Matrix3<f64> {
     let eigen = SymmetricEigen::new(m.transpose() * m);
     let mut order = [0, 1, 2];
@@ -116,7 +117,7 @@ fn orthonormal_rotation(m: &Matrix3<f64>, mirrored: bool) -> Matrix3<f64> {
     let v: [Vector3<f64>; 2] = [0, 1].map(|k| eigen.eigenvectors.column(order[k]).into_owned());
     let first = (m * v[0]).normalize();
     let second = m * v[1];
-    // `MᵀM` blurs its smaller eigenvectors by rounding in the largest; what leaks along the first is taken out again.
+    // `MᵀM` blurs its smaller eigenvectors by rounding in the largest; the component along the first is removed again.
     let second = (second - first * first.dot(&second)).normalize();
     let third = if mirrored { -first.cross(&second) } else { first.cross(&second) };
     first * v[0].transpose() + second * v[1].transpose() + third * v[0].cross(&v[1]).transpose()

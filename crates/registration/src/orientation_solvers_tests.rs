@@ -1,4 +1,4 @@
-//! The solvers agree with each other on well-posed pairs, and in the name of every fault.
+//! The solvers agree with each other on well-posed pairs, and return the same error for every fault.
 
 use super::*;
 use crate::testing::{cloud, numbers, pose};

@@ -3,7 +3,8 @@
 use super::RigidTransform;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// The four proper rotations that align the principal axes of `source` with those of `target`, centroid on centroid.
+/// The four proper rotations that align the principal axes of `source` with those of `target`, with coincident
+/// centroids.
 ///
 /// Axes have no sign, so there are four candidates, which differ by rotations of 180° about the axes. `None` for fewer
 /// than three points. Cost `O(n)`.
@@ -21,8 +22,8 @@ pub fn principal_axis_poses(source: &[Point3<f64>], target: &[Point3<f64>]) -> O
 }
 
 /// Weighted centroid, mm, of `points`, and the sum of `weight · d dᵀ` over their offsets `d` from it. `weights` are
-/// areas or volumes with the sum `total`. `None` if the result is not finite, on which an eigendecomposition would not
-/// terminate. Cost `O(n)`.
+/// areas or volumes with the sum `total`. `None` if the result is not finite, because an eigendecomposition of it would
+/// not terminate. Cost `O(n)`.
 pub fn weighted_moments(points: &[Point3<f64>], weights: &[f64], total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let weighted = || points.iter().zip(weights);
     let center = weighted().fold(Vector3::zeros(), |s, (p, &w)| s + p.coords * w) / total;

@@ -1,16 +1,16 @@
 //! Procrustes analysis: the similarity or rigid transform of given pairs.
 //!
-//! Source: Gower 1975 (the problem); Umeyama, IEEE PAMI 13(4), 1991 (the scale in closed form, for a rotation kept
-//! proper too).
+//! Source: Gower 1975 (the problem); Umeyama, IEEE PAMI 13(4), 1991 (the scale in closed form, also for a rotation that
+//! is kept proper).
 
 use super::absolute_orientation::{Moments, OrientationError};
 use super::{OrientationSolver, SimilarityTransform};
 use nalgebra::Point3;
 
-/// What [`procrustes`] fits.
+/// Options of [`procrustes`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ProcrustesOptions {
-    /// How the rotation is found.
+    /// Solver of the rotation.
     pub solver: OrientationSolver,
     /// Whether to fit a uniform scale too; otherwise it is 1.
     pub with_scale: bool,
@@ -30,11 +30,11 @@ pub struct ProcrustesReport {
 /// The similarity that minimizes `Σ wᵢ‖s R pᵢ + t − qᵢ‖²`, with `s = 1` unless `options.with_scale`.
 ///
 /// `source` (`pᵢ`), `target` (`qᵢ`): `n ≥ 3` paired points, mm, pair `i` at index `i`; `weights`: `n` values `≥ 0`, sum
-/// `> 0`, or `None` for equal ones. All residuals are on the target; the fit in the other
-/// direction has exactly the inverse scale only if the pairs fit exactly.
+/// `> 0`, or `None` for equal ones. All residuals are on the target; a fit in the other direction has exactly the
+/// inverse scale only if the pairs fit exactly.
 ///
 /// # Errors
-/// [`OrientationError`], the same one for every solver.
+/// [`OrientationError`], the same for every solver.
 ///
 /// # Cost
 /// `O(n)`; the same order of pairs gives the same bits.
@@ -86,7 +86,7 @@ mod tests {
                 prop_assert!((found.target_from_source.scale / scale - 1.0).abs() < 1e-9);
                 prop_assert!((found.target_from_source.rotation - truth.rotation).norm() < 1e-9);
                 prop_assert!(found.rms_mm < 1e-7);
-                // Without a scale the rotation is the same, because the covariance is.
+                // Without a scale the rotation is the same, because the covariance is the same.
                 let rigid = procrustes(&source, &target, None, &ProcrustesOptions { with_scale: false, ..options });
                 let rigid = rigid.unwrap().target_from_source;
                 prop_assert!(rigid.scale == 1.0 && (rigid.rotation - truth.rotation).norm() < 1e-9);
@@ -104,7 +104,7 @@ mod tests {
             for factor in [0.999, 1.001] {
                 let mut other = best;
                 other.scale *= factor;
-                // About the centroids, where the best translation is.
+                // About the centroids, where the best translation lies.
                 other.translation += best.apply(&center) - other.apply(&center);
                 prop_assert!(rms(&other, &source, &target) >= found.rms_mm * (1.0 - 1e-12));
             }

@@ -3,8 +3,8 @@
 //! Source: Fischler, Bolles 1981; adaptive number of trials `ln(1−c)/ln(1−w³)`; local optimization on each new best
 //! as in Chum, Matas, Kittler 2003 (LO-RANSAC).
 //!
-//! Trial `k` draws from its own generator, seeded by `(seed, k)`, and trials are evaluated in batches of fixed size, so
-//! the result does not depend on the number of threads.
+//! Trial `k` draws from its own generator, seeded by `(seed, k)`, and trials are evaluated in batches of fixed size.
+//! The result therefore does not depend on the number of threads.
 
 use super::{MinimalEstimator, OrientationSolver, RigidTransform, solve_orientation};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
@@ -15,10 +15,10 @@ use rayon::prelude::*;
 
 /// Trials between two evaluations of the stopping rule.
 const BATCH: u64 = 512;
-/// Largest number of least-squares fits over the support of a new best hypothesis; more than a few gain nothing.
+/// Largest number of least-squares fits over the support of a new best hypothesis; more gain nothing.
 const LOCAL_STEPS: usize = 10;
 
-/// How RANSAC runs.
+/// Options of RANSAC.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RansacOptions {
     /// Largest residual of an inlier, mm.
@@ -33,12 +33,12 @@ pub struct RansacOptions {
     pub seed: u64,
 }
 
-/// How hypotheses are estimated, and how they are fitted to their support.
+/// Methods of estimating hypotheses and of fitting them to their support.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct RansacMethods {
     /// Estimates a hypothesis from three pairs.
     pub estimator: MinimalEstimator,
-    /// Fits the transform to the support of a new best hypothesis, and at last the result.
+    /// Fits the transform to the support of a new best hypothesis, and finally the result.
     pub solver: OrientationSolver,
 }
 
@@ -47,7 +47,7 @@ pub struct RansacMethods {
 pub struct RansacReport {
     /// The transform, least squares over its support.
     pub target_from_source: RigidTransform,
-    /// Which pairs are inliers of it.
+    /// Which pairs are inliers of the transform.
     pub inlier_mask: Vec<bool>,
     /// Number of inliers.
     pub support: usize,
@@ -61,8 +61,8 @@ pub struct RansacReport {
 
 /// Finds the transform with the largest support among the pairs `source[i] ↔ target[i]`, mm.
 ///
-/// `None` if no trial had a support of three. This is [`ransac_with`] the default methods: frames and singular value
-/// decomposition.
+/// `None` if no trial had a support of three. Equals [`ransac_with`] with the default methods: frames and singular
+/// value decomposition.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -78,14 +78,14 @@ pub fn ransac(
     ransac_with(source, target, options, RansacMethods::default(), observer)
 }
 
-/// [`ransac()`] with a choice of the minimal estimator and of the solver of the local optimization. The draws, and so
-/// the triples, do not depend on the methods.
+/// [`ransac()`] with a choice of the minimal estimator and of the solver of the local optimization. The draws, and
+/// hence the triples, do not depend on the methods.
 ///
 /// # Errors
 /// [`Cancelled`].
 ///
 /// # Cost
-/// As [`ransac()`].
+/// The cost of [`ransac()`].
 pub fn ransac_with(
     source: &[Point3<f64>],
     target: &[Point3<f64>],
@@ -96,17 +96,17 @@ pub fn ransac_with(
     search((source, target), None, options, methods, observer)
 }
 
-/// [`ransac()`] with triples of which each pair is drawn with a probability in proportion to its weight: beliefs in the pairs find
-/// a triple of inliers sooner. The support counts pairs. The number of trials is that of even draws, an upper bound where heavy pairs
-/// are inliers more often.
+/// [`ransac()`] with triples whose pairs are drawn with probabilities in proportion to their weights: with beliefs as
+/// weights a triple of inliers is found sooner. The support counts pairs. The number of trials is that of even draws,
+/// an upper bound if heavy pairs are inliers more often.
 ///
-/// `None` if there are fewer than three pairs of a positive weight, or no trial had a support of three.
+/// `None` if fewer than three pairs have a positive weight, or if no trial had a support of three.
 ///
 /// # Errors
 /// [`Cancelled`].
 ///
 /// # Cost
-/// As [`ransac()`].
+/// The cost of [`ransac()`].
 pub fn ransac_weighted(
     source: &[Point3<f64>],
     target: &[Point3<f64>],
@@ -149,7 +149,7 @@ fn search(
         let found = batch
             .into_par_iter()
             .filter_map(|trial| pairs.evaluate(trial))
-            // Largest support, then the earliest trial, which does not depend on the order of evaluation.
+            // Largest support, then earliest trial: independent of the order of evaluation.
             .max_by(|a, b| a.0.cmp(&b.0).then(b.1.cmp(&a.1)));
         let Some((support, _, hypothesis)) = found else { continue };
         if best.as_ref().is_none_or(|(most, _)| support > *most) {
@@ -176,7 +176,7 @@ fn search(
     }))
 }
 
-/// Number of trials of which one draws only inliers with probability `confidence`, if their share is `ratio`.
+/// Number of trials such that one draws only inliers with probability `confidence`, if their share is `ratio`.
 fn needed_trials(ratio: f64, confidence: f64) -> u64 {
     let all_inliers = ratio.powi(3);
     if all_inliers >= 1.0 {
@@ -191,7 +191,7 @@ fn needed_trials(ratio: f64, confidence: f64) -> u64 {
 struct Pairs<'a> {
     source: &'a [Point3<f64>],
     target: &'a [Point3<f64>],
-    /// Sums of the weights of all pairs up to each; even draws without.
+    /// Cumulative sums of the weights of the pairs; `None` for even draws.
     cumulative_weights: Option<&'a [f64]>,
     options: &'a RansacOptions,
     methods: RansacMethods,
@@ -214,7 +214,7 @@ impl Pairs<'_> {
             return None;
         }
         let (source, target) = (triple.map(|i| self.source[i]), triple.map(|i| self.target[i]));
-        // Two inliers are each within the tolerance, so the lengths between them agree within twice that.
+        // Two inliers are each within the tolerance, so the lengths between them agree within twice the tolerance.
         for (a, b) in [(0, 1), (1, 2), (2, 0)] {
             let difference = (source[a] - source[b]).norm() - (target[a] - target[b]).norm();
             if difference.abs() > 2.0 * self.options.tolerance_mm {
@@ -245,14 +245,14 @@ impl Pairs<'_> {
         (0..self.source.len()).filter(|&i| self.is_inlier(transform, i)).count()
     }
 
-    /// Least squares over the support, again over the new support, while that grows.
+    /// Repeats least squares over the support and then over the new support, while the support grows.
     fn optimize_locally(&self, start: RigidTransform) -> RigidTransform {
         let mut best = (self.support(&start), start);
         for _ in 0..LOCAL_STEPS {
             let inliers: Vec<usize> = (0..self.source.len()).filter(|&i| self.is_inlier(&best.1, i)).collect();
             let source: Vec<_> = inliers.iter().map(|&i| self.source[i]).collect();
             let target: Vec<_> = inliers.iter().map(|&i| self.target[i]).collect();
-            // A reflection stays one: the sign is that of the hypothesis.
+            // A reflection stays a reflection: the sign is that of the hypothesis.
             let mirrored = best.1.is_reflection();
             let Ok(fitted) = solve_orientation(self.methods.solver, &source, &target, None, mirrored) else { break };
             let support = self.support(&fitted);

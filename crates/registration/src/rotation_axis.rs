@@ -1,24 +1,24 @@
 //! A rigid transform from three point pairs by the axis of its rotation.
 //!
-//! A rotation `R` maps a centred point `a` to `R a`; its displacement `(R − I) a` is perpendicular to the axis, which
+//! A rotation `R` maps a centered point `a` to `R a`; its displacement `(R − I) a` is perpendicular to the axis, which
 //! `R` leaves fixed. Two displacements that are not parallel therefore determine the axis, and the motion of the points
 //! in the plane perpendicular to it determines the angle.
 //!
-//! The displacements of a triangle are parallel if its plane contains the axis, and zero without a rotation. The normal
-//! of the triangle is rotated by the same `R`, and its displacement is perpendicular to the axis too: it replaces a
-//! parallel one, for every angle up to 180°. If it is zero as well, the motion is a translation.
+//! The displacements of a triangle are parallel if its plane contains the axis, and zero if there is no rotation. The
+//! same `R` rotates the normal of the triangle, and the displacement of the normal is perpendicular to the axis too: it
+//! replaces a parallel one, for every angle up to 180°. If it is zero as well, the motion is a translation.
 //!
-//! Source: the thesis, section 3.4.2 ("critical points", those a motion leaves fixed); the formulation by
-//! displacements and the use of the normal are ours.
+//! Source: the thesis, section 3.4.2 ("critical points", the points that a motion leaves fixed); the formulation by
+//! displacements and the use of the normal are original.
 
 use super::three_point::triangle_normal;
 use super::{RigidTransform, TripleError};
 use nalgebra::{Matrix3, Point3, Rotation3, Unit, Vector3};
 
-/// Displacements below this share of the size of the triangle are rounding: the rotation is the identity.
+/// Displacements below this share of the size of the triangle count as rounding: the rotation is the identity.
 const STILL_RTOL: f64 = 1e-13;
 
-/// The transform whose axis is perpendicular to the displacements of the centred triples, whose angle is the
+/// The transform whose axis is perpendicular to the displacements of the centered triples, whose angle is the
 /// least-squares angle about that axis, and which maps centroid to centroid; exact for congruent triangles. With
 /// `mirrored`, the rotation is followed by the reflection in the plane of the target triple, so `det R = −1`.
 ///
@@ -31,9 +31,9 @@ pub(super) fn rotation_axis_estimate(
 ) -> Result<RigidTransform, TripleError> {
     let source_normal = triangle_normal(source)?.normalize();
     let target_normal = triangle_normal(target)?.normalize();
-    let (source_mean, from) = centred(source);
-    let (target_mean, to) = centred(target);
-    // In mm like the others, so that the displacement of the normal weighs as much as that of a corner.
+    let (source_mean, from) = centered(source);
+    let (target_mean, to) = centered(target);
+    // In mm like the others, so that the displacement of the normal weighs as much as the displacement of a corner.
     let size = from.iter().map(Vector3::norm_squared).sum::<f64>().sqrt();
     let normal_displacement = (target_normal - source_normal) * size;
     let displacements = [to[0] - from[0], to[1] - from[1], to[2] - from[2], normal_displacement];
@@ -47,17 +47,17 @@ pub(super) fn rotation_axis_estimate(
     Ok(RigidTransform { rotation, translation: target_mean - rotation * source_mean })
 }
 
-fn centred(p: &[Point3<f64>; 3]) -> (Vector3<f64>, [Vector3<f64>; 3]) {
+fn centered(p: &[Point3<f64>; 3]) -> (Vector3<f64>, [Vector3<f64>; 3]) {
     let mean = (p[0].coords + p[1].coords + p[2].coords) / 3.0;
     (mean, p.map(|p| p.coords - mean))
 }
 
-/// Direction of the longest cross product of two of the displacements; `None` if they are all shorter than `still`.
+/// Direction of the longest cross product of two of the displacements; `None` if all are shorter than `still`.
 fn widest_cross_product(displacements: &[Vector3<f64>; 4], still: f64) -> Option<Unit<Vector3<f64>>> {
     if displacements.iter().all(|d| d.norm() <= still) {
         return None;
     }
-    // The three displacements of the corners sum to zero, so that any two of them have the same cross product.
+    // The three displacements of the corners sum to zero, so any two of them have the same cross product.
     let [a, b, c, normal] = displacements;
     let products = [a.cross(b), a.cross(normal), b.cross(normal), c.cross(normal)];
     let longest = products
@@ -88,7 +88,7 @@ mod tests {
 
     const BOTH: [MinimalEstimator; 2] = [MinimalEstimator::Frame, MinimalEstimator::RotationAxis];
 
-    /// A triangle of which no angle is thin, mm.
+    /// A triangle without thin angles, mm.
     fn triple(seed: u64) -> Option<[Point3<f64>; 3]> {
         let p = cloud(seed, 3);
         let p = [p[0], p[1], p[2]];

@@ -1,31 +1,32 @@
-//! Whether two poses of a surface are the same but for details.
+//! Equality of two poses of a surface, apart from details.
 
 use super::{RigidTransform, weighted_moments};
 use nalgebra::Point3;
 
-/// Poses within this angle, radians, count as the same; 30°.
+/// Angle, radians, within which poses count as the same; 30°.
 pub const SAME_POSE_ANGLE: f64 = 0.52;
 
-/// When two poses of a surface are the same.
+/// Criterion for equal poses of a surface.
 ///
-/// Two complete surfaces lie on each other in one place for each orientation. A part may fit a whole at several places in one
-/// orientation: then poses differ also where they move the part as far as a rotation by the angle
-/// can, root mean square.
+/// Two complete surfaces lie on each other in one place for each orientation. A part may fit a whole at several places
+/// in one orientation. For a part, poses therefore also differ if they move it, root mean square, as far as a rotation
+/// by the angle can.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SamePose {
     center: Point3<f64>,
-    /// Radius of gyration: a rotation about the centroid moves points by this times its angle at most, root mean square.
+    /// Radius of gyration: a rotation about the centroid moves points, root mean square, by at most this times its
+    /// angle.
     spread_mm: f64,
 }
 
 impl SamePose {
-    /// By orientation alone.
+    /// Compares orientations only.
     pub fn of_orientation() -> Self {
         SamePose { center: Point3::origin(), spread_mm: f64::INFINITY }
     }
 
-    /// By the orientation and the place of the surface with these points, mm, and areas. By orientation alone if there is no
-    /// area, or a number is not finite.
+    /// Compares the orientation and the place of the surface with these points, mm, and areas; orientations only if
+    /// there is no area, or a number is not finite.
     pub fn of_place(points: &[Point3<f64>], areas: &[f64]) -> Self {
         let total: f64 = areas.iter().sum();
         match weighted_moments(points, areas, total) {
@@ -36,12 +37,13 @@ impl SamePose {
         }
     }
 
-    /// Distance, mm, that a rotation by `angle`, radians, stands for.
+    /// Distance, mm, equivalent to a rotation by `angle`, radians.
     pub(crate) fn distance_mm(&self, angle: f64) -> f64 {
         angle * self.spread_mm
     }
 
-    /// Whether `a` and `b`, transforms of the surface, have one handedness and differ by less than `angle`, radians.
+    /// Whether `a` and `b`, transforms of the surface, have the same handedness and differ by less than `angle`,
+    /// radians.
     pub fn holds(&self, a: &RigidTransform, b: &RigidTransform, angle: f64) -> bool {
         let apart = || (a.apply(&self.center) - b.apply(&self.center)).norm();
         a.is_reflection() == b.is_reflection() && a.angle_to(b) < angle && apart() < self.distance_mm(angle)
@@ -71,7 +73,7 @@ mod tests {
         assert!(SamePose::of_orientation().holds(&at, &shifted(100.0), 0.3));
         let mirror = RigidTransform { rotation: -at.rotation, ..at };
         assert!(!SamePose::of_orientation().holds(&at, &mirror, 3.2));
-        // About the centroid, so that it stays where it is.
+        // About the centroid, which therefore stays in place.
         let turned = |angle: f64| {
             let rotation = at.rotation * Rotation3::from_axis_angle(&Vector3::z_axis(), angle).matrix();
             RigidTransform { rotation, translation: at.translation + (at.rotation - rotation) * center }

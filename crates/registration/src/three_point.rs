@@ -1,13 +1,13 @@
 //! Rigid transforms from three point pairs, the minimal sample of RANSAC.
 //!
 //! Both estimators ([`MinimalEstimator`]) give the same transform on congruent triangles; on triangles that differ
-//! slightly they distribute the difference differently. Both reject thin triangles before they estimate anything.
+//! slightly they distribute the difference differently. Both reject thin triangles first.
 
 use super::RigidTransform;
 use super::rotation_axis::rotation_axis_estimate;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// How a rigid transform is estimated from three pairs.
+/// Method of estimating a rigid transform from three pairs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MinimalEstimator {
     /// An orthonormal frame on each triple (thesis, section 3.4.1).
@@ -18,7 +18,7 @@ pub enum MinimalEstimator {
 }
 
 impl MinimalEstimator {
-    /// `target_from_source` of three pairs, mm, which maps centroid to centroid; `det R = −1` if `mirrored`.
+    /// `target_from_source` of three pairs, mm; maps centroid to centroid; `det R = −1` if `mirrored`.
     ///
     /// # Errors
     /// [`TripleError::Collinear`] if either triple is thin, the same for both estimators.
@@ -35,7 +35,7 @@ impl MinimalEstimator {
     }
 }
 
-/// Why three pairs determine no transform.
+/// Reasons why three pairs determine no transform.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum TripleError {
     /// The three points of one side lie nearly on a line.
@@ -43,10 +43,10 @@ pub enum TripleError {
     Collinear,
 }
 
-/// Triangles whose height is below this share of their longest edge are too thin to determine an orientation.
+/// Ratio of height to longest edge below which a triangle is too thin to determine an orientation.
 const MIN_HEIGHT_RATIO: f64 = 0.05;
 
-/// Normal of a triple, with a length of twice the area, mm².
+/// Normal of a triple; its length is twice the area, mm².
 pub(super) fn triangle_normal(p: &[Point3<f64>; 3]) -> Result<Vector3<f64>, TripleError> {
     let (a, b) = (p[1] - p[0], p[2] - p[0]);
     let longest = a.norm_squared().max(b.norm_squared()).max((p[2] - p[1]).norm_squared());
@@ -65,9 +65,9 @@ fn frame(p: &[Point3<f64>; 3]) -> Result<Matrix3<f64>, TripleError> {
     Ok(Matrix3::from_columns(&[x, z.cross(&x), z]))
 }
 
-/// The transform that maps the frame of the source triple to that of the target triple and centroid to centroid; exact
-/// for congruent triangles. With `mirrored` the third axis is negated (a triangle is congruent to its mirror image), so
-/// `det R = −1`.
+/// The transform that maps the frame of the source triple to the frame of the target triple, and centroid to centroid;
+/// exact for congruent triangles. With `mirrored` the third axis is negated (a triangle is congruent to its mirror
+/// image), so `det R = −1`.
 ///
 /// # Errors
 /// [`TripleError::Collinear`].

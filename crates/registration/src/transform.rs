@@ -49,7 +49,7 @@ impl RigidTransform {
         self.rotation.determinant() < 0.0
     }
 
-    /// The rotation as a unit quaternion with non-negative scalar part; that of `−R` for a reflection.
+    /// The rotation as a unit quaternion with non-negative scalar part; for a reflection, the quaternion of `−R`.
     pub fn quaternion(&self) -> UnitQuaternion<f64> {
         let proper = if self.is_reflection() { -self.rotation } else { self.rotation };
         let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(proper));

@@ -1,12 +1,13 @@
 //! Robust ICP with closest points in both directions.
 //!
 //! Plain ICP searches closest points from source to target only: a part of the target without counterpart has no
-//! influence, and the staircase of voxel surfaces biases the result. Here every point of either surface is paired with
-//! its closest point on the other, weighted by its area and by Tukey's biweight of its residual, which ignores parts
-//! without counterpart; so are points whose closest one is on the rim of an open surface. The first steps use a sample of the points, the last ones all.
+//! influence, and the staircase of voxel surfaces biases the result. Here every point of each surface is paired with
+//! its closest point on the other, weighted by its area and by Tukey's biweight of its residual. The biweight ignores
+//! parts without counterpart; points whose closest point is on the rim of an open surface are ignored as well. The
+//! first steps use a sample of the points, the last ones all points.
 //!
-//! Sources: Turk, Levoy, "Zippered polygon meshes from range images", 1994 (rims); Besl, McKay 1992 (point-to-point); Chen, Medioni 1992 (point-to-plane); Beaton, Tukey, "The fitting of
-//! power series", 1974 (biweight).
+//! Sources: Turk, Levoy, "Zippered polygon meshes from range images", 1994 (rims); Besl, McKay 1992 (point-to-point);
+//! Chen, Medioni 1992 (point-to-plane); Beaton, Tukey, "The fitting of power series", 1974 (biweight).
 
 use super::icp::ClosestSurfacePoint;
 use super::{IcpMetric, RigidTransform, absolute_orientation};
@@ -15,7 +16,7 @@ use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::{Matrix6, Point3, Rotation3, Vector3, Vector6};
 use rayon::prelude::*;
 
-/// Residuals above this many robust standard deviations have weight 0. The staircase of voxels must keep its weight, a
+/// Robust standard deviations above which a residual has weight 0. The staircase of voxels must keep its weight, a
 /// missing end must not: at 6, 9 and 12 the error of the rotation was 0.160°, 0.154° and 0.153° (root mean square of 40
 /// re-sampled copies) and 0.19°, 0.21° and 0.25° (median of 18 copies with an end cut away).
 const TUKEY: f64 = 9.0;
@@ -25,25 +26,25 @@ const TUKEY: f64 = 9.0;
 pub struct SurfaceSide<'a> {
     /// Points on it, mm.
     pub points: &'a [Point3<f64>],
-    /// Area that each point stands for, mm².
+    /// Area that each point represents, mm².
     pub areas: &'a [f64],
     /// Closest points of the surface.
     pub closest: &'a dyn ClosestSurfacePoint,
 }
 
-/// How [`align_both_ways`] runs.
+/// Options of [`align_both_ways`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TwoSidedOptions {
     /// The distance to minimize.
     pub metric: IcpMetric,
-    /// Largest number of points of each surface in the first steps, evenly by index.
+    /// Largest number of points of each surface in the first steps, spaced evenly by index.
     pub max_sample: usize,
     /// Largest number of first steps.
     pub sample_steps: u32,
     /// Largest number of steps on all points.
     pub full_steps: u32,
-    /// Either phase ends when a step rotates by less than this, radians, and moves by less than this many diagonals of the
-    /// source.
+    /// Each phase ends when a step rotates by less than this, radians, and moves by less than this many diagonals of
+    /// the source.
     pub tolerance: f64,
 }
 
@@ -52,11 +53,11 @@ pub struct TwoSidedOptions {
 pub struct TwoSidedReport {
     /// The pose.
     pub target_from_source: RigidTransform,
-    /// Robust standard deviation of the residuals before the last step, mm; 0 without steps, infinite where no point has a counterpart inside
-    /// the rim of the other surface.
+    /// Robust standard deviation of the residuals before the last step, mm; 0 without steps, infinite if no point has a
+    /// counterpart inside the rim of the other surface.
     pub residual_mm: f64,
-    /// Share of the area of one surface, of the one of which it is larger, whose closest points lie inside the rim of the other, before the last
-    /// step; 0 without steps.
+    /// Share of the area of a surface whose closest points lie inside the rim of the other, before the last step: the
+    /// larger share of the two surfaces; 0 without steps.
     pub overlap: f64,
     /// Number of steps.
     pub steps: u32,
@@ -98,7 +99,7 @@ pub fn align_both_ways(
             let (pairs, overlap) = pairs(source, target, &report.target_from_source, sample);
             report.overlap = overlap;
             if pairs.is_empty() {
-                // Surfaces that have slid off each other agree nowhere.
+                // Surfaces that have slid off each other do not agree anywhere.
                 report.residual_mm = f64::INFINITY;
                 break;
             }
@@ -117,7 +118,7 @@ pub fn align_both_ways(
     Ok(report)
 }
 
-/// The pairs, and [`TwoSidedReport::overlap`].
+/// The pairs, and the value of [`TwoSidedReport::overlap`].
 fn pairs(source: &SurfaceSide<'_>, target: &SurfaceSide<'_>, pose: &RigidTransform, sample: usize) -> (Vec<Pair>, f64) {
     let picked = |side: &SurfaceSide<'_>| -> Vec<(Point3<f64>, f64)> {
         let step = side.points.len().div_ceil(sample.max(3)).max(1);
@@ -155,7 +156,7 @@ fn step(pairs: &[Pair], metric: IcpMetric, extent: f64) -> Option<(RigidTransfor
     let mut sizes: Vec<f64> = residuals.iter().map(|r| r.abs()).collect();
     let middle = sizes.len() / 2;
     let deviation = 1.4826 * *sizes.select_nth_unstable_by(middle, f64::total_cmp).1;
-    // The residuals of exact copies are rounding, and all have weight.
+    // The residuals of exact copies are rounding errors; all of them have weight.
     let limit = (TUKEY * deviation).max(1e-11 * extent);
     let weights: Vec<f64> = pairs
         .iter()
@@ -205,7 +206,7 @@ mod tests {
         }
     }
 
-    /// Another pose of it.
+    /// Another pose of the corner.
     struct MovedCorner(RigidTransform);
 
     impl ClosestSurfacePoint for MovedCorner {
@@ -215,7 +216,7 @@ mod tests {
         }
     }
 
-    /// Points of the planes, away from where they meet, every ninth of them lifted off by up to 3 mm.
+    /// Points of the planes, away from their intersections; every ninth is lifted by up to 3 mm.
     fn points(seed: u64) -> Vec<Point3<f64>> {
         let mut number = numbers(seed);
         (0..270)
@@ -264,7 +265,7 @@ mod tests {
         assert_eq!((report.target_from_source, report.steps, report.converged), (small_motion(), 0, false));
     }
 
-    /// A surface of which every closest point is on the rim.
+    /// A surface on which every closest point is on the rim.
     struct Rim;
 
     impl ClosestSurfacePoint for Rim {
@@ -287,7 +288,7 @@ mod tests {
         assert_eq!(report.overlap, 0.0);
     }
 
-    /// The corner as far as `x` goes.
+    /// The corner, cut off at `x`.
     struct ShortCorner(f64);
 
     impl ClosestSurfacePoint for ShortCorner {

@@ -7,7 +7,7 @@ use nalgebra::{Point3, Vector3};
 /// A color, red, green and blue.
 type Color = [u8; 3];
 
-/// Color of a vertex that has no value.
+/// Color of a vertex without a value.
 const GRAY: Color = [176, 180, 186];
 /// The color map viridis (Smith, van der Walt, 2015) at equal steps.
 const VIRIDIS: [Color; 9] = [
@@ -22,15 +22,15 @@ const VIRIDIS: [Color; 9] = [
     [253, 231, 37],
 ];
 
-/// Colors of the vertices of both surfaces by correspondence, by confidence and by residual: red, green and blue (sRGB), one
-/// vertex after the other. A vertex without a counterpart is gray.
+/// Colors of the vertices of both surfaces by correspondence, by confidence and by residual: red, green and blue
+/// (sRGB), one vertex after the other. A vertex without a counterpart is gray.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Colors {
-    /// Of the source.
+    /// Colors of the source.
     pub source: [Vec<u8>; 3],
-    /// Of the target.
+    /// Colors of the target.
     pub target: [Vec<u8>; 3],
-    /// The residual at the end of the scale, mm: the 95th percentile.
+    /// The residual at the end of the color scale, mm: the 95th percentile.
     pub largest_residual_mm: f64,
 }
 
@@ -64,7 +64,7 @@ impl Colors {
     }
 }
 
-/// Colors by position: an axis of the box around the points for each of red, green and blue.
+/// Colors by position: red, green and blue each encode an axis of the box around the points.
 struct Places {
     low: Vector3<f64>,
     size: Vector3<f64>,
@@ -82,8 +82,9 @@ impl Places {
     }
 }
 
-/// Values of source vertices on the target: each target vertex has the mean, by barycentric weight, of those whose
-/// corresponding points are on its triangles; others have the mean of their neighbors that have one.
+/// Values of source vertices on the target. Each target vertex has the mean, by barycentric weight, of the source
+/// vertices whose corresponding points lie on its triangles; other target vertices have the mean of their neighbors
+/// with a value.
 fn carried(pairs: &Correspondences, target: &SurfaceMesh, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let mut sums = vec![(0.0, 0.0); target.n_vertices()];
     for (row, &vertex) in pairs.source.iter().enumerate() {
@@ -102,7 +103,7 @@ fn carried(pairs: &Correspondences, target: &SurfaceMesh, values: &[Option<f64>]
     let mut carried: Vec<Option<f64>> =
         sums.iter().map(|&(sum, weight)| (weight > 1e-9).then(|| sum / weight)).collect();
     let triangles = target.triangles();
-    // Two rings: what is further from every corresponding point has none.
+    // Two rings; vertices farther from every corresponding point have no value.
     for _ in 0..2 {
         let mut around = vec![(0.0, 0.0); carried.len()];
         for triangle in &triangles {
@@ -145,7 +146,7 @@ fn viridis(share: f64) -> Color {
     })
 }
 
-/// The color map as a bar. An element of SVG, since the policy of the page allows no style attributes.
+/// The color map as a bar, drawn in SVG because the policy of the page allows no style attributes.
 pub(crate) fn ramp_svg() -> String {
     let bars: String = (0..32)
         .map(|k| {

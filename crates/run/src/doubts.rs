@@ -1,16 +1,17 @@
-//! What the inputs of a match say against its answer, whatever the match itself found.
+//! Reasons in the inputs of a match to doubt its answer, independent of the result of the match.
 //!
-//! Each input has its own warnings ([`InputWarning`], made by [`crate::intake`]); some are a reason to doubt only beside the
-//! other input. [`pair_warnings`] puts the input's name before each and adds what holds for the pair.
+//! Each input has its own warnings ([`InputWarning`], made by [`crate::intake`]); some are a reason for doubt only in
+//! combination with the other input. [`pair_warnings`] prefixes each with the name of the input and adds warnings on
+//! the pair.
 
 use crate::intake::PreparedSurface;
 use crate::scales::scale_warning;
 use homolog_contract::input::{InputWarning, SamplingReport};
 use homolog_contract::result::UnreliableReason;
 
-/// Standard deviation of the rotation from which the voxels are too coarse, degrees, of the coarser input. It is a bound for any
-/// method, and answers are off by twice as much: beside a hippocampus of 1 mm, copies with voxels of 1, 2, 3 and 4 mm have 0.15,
-/// 0.4, 1.0 and 2.0, and are off by 0.3, 0.9, 1.7 and 2.3 on average.
+/// Standard deviation of the rotation, degrees, of the coarser input above which voxels are too coarse. It is a bound
+/// for any method, and answers are off by twice as much: beside a hippocampus of 1 mm, copies with voxels of 1, 2, 3
+/// and 4 mm have 0.15, 0.4, 1.0 and 2.0, and are off by 0.3, 0.9, 1.7 and 2.3 on average.
 const MAX_ROTATION_DEG: f64 = 1.2;
 
 /// The warnings of both inputs and of the pair, for [`homolog_contract::result::ResultDocument::warn`].
@@ -38,7 +39,7 @@ pub(crate) fn pair_warnings(source: &PreparedSurface, target: &PreparedSurface) 
     warnings
 }
 
-/// That the voxels leave the rotation uncertain, if they do. A mesh has no voxels.
+/// A warning that the voxels leave the rotation uncertain, if they do. A mesh has no voxels.
 fn coarseness(source: Option<SamplingReport>, target: Option<SamplingReport>) -> Option<InputWarning> {
     let [a, b] = [source, target].map(|sampling| sampling.map_or(0.0, |sampling| sampling.rotation_deg));
     let coarser = a.max(b);

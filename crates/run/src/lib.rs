@@ -1,12 +1,11 @@
-//! One match from uploaded bytes to the result document: what a worker and the command line both do.
+//! One match from uploaded bytes to the result document, used by both the worker and the command line.
 //!
-//! The numerical crates read no clock; their phases are timed here, and their outcome gets its provenance here. Surfaces
-//! prepared for one match may be kept for further matches ([`SurfaceCache`]).
+//! The numerical crates read no clock; their phases are timed here, and their outcome gets its provenance here.
+//! Surfaces prepared for one match may be kept for further matches ([`SurfaceCache`]).
 //!
-//! **What vertex indices count.** Every vertex index of a result counts the vertices of the uploaded mesh or, for a label
-//! volume, of the surface made from it; [`RunOutput`] has both surfaces. Vertices of an upload that no face uses, that a
-//! repair drops, or that are merged into another have no row and occur in no column
-//! ([`homolog_mesh::Numbering`]).
+//! **Vertex indices.** Every vertex index of a result refers to the uploaded mesh or, for a label volume, to the
+//! surface made from it; [`RunOutput`] has both surfaces. Vertices of an upload that no face uses, that a repair drops,
+//! or that are merged into another have no row and occur in no column ([`homolog_mesh::Numbering`]).
 
 mod colors;
 mod doubts;
@@ -50,7 +49,7 @@ use std::time::Instant;
 pub struct InputFile<'a> {
     /// The whole file.
     pub bytes: &'a [u8],
-    /// Its name, where known; helps only where the bytes alone do not tell the format.
+    /// Its name, if known; used only if the bytes alone do not determine the format.
     pub name: Option<&'a str>,
 }
 
@@ -73,14 +72,14 @@ impl Side {
     }
 }
 
-/// What a finished run yields.
+/// The result of a finished run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunOutput {
-    /// The result document, correspondences included. The commit of its provenance is for the program to fill in, which alone
-    /// knows it.
+    /// The result document, correspondences included. The program fills in the commit of its provenance, which only the
+    /// program knows.
     pub document: ResultDocument,
-    /// The source surface whose vertices the correspondences count: all vertices of the uploaded mesh, with the faces that
-    /// were matched; or the surface made from the uploaded volume.
+    /// The source surface to whose vertices the correspondences refer: all vertices of the uploaded mesh, with the
+    /// matched faces; or the surface made from the uploaded volume.
     pub source: SurfaceMesh,
     /// The target surface to which the correspondences refer, in the same numbering of the upload.
     pub target: SurfaceMesh,
@@ -111,18 +110,18 @@ impl RunOutput {
     }
 }
 
-/// Why a run has no result.
+/// Reasons why a run has no result.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RunError {
     /// An input was refused.
     #[error("{}: {error}", side.name())]
     Input {
-        /// Which input.
+        /// The refused input.
         side: Side,
-        /// Why it was refused.
+        /// The reason.
         error: IntakeError,
     },
-    /// Both surfaces are suitable, but matching them would take more memory than is allowed.
+    /// Both surfaces are suitable, but matching them would exceed the allowed memory.
     #[error(
         "matching {source_vertices} to {target_vertices} vertices would take {needed} bytes of memory, but {limit} are \
          allowed; send coarser surfaces, or set inference.coarse_vertices"
@@ -132,9 +131,9 @@ pub enum RunError {
         source_vertices: usize,
         /// Vertices of the target.
         target_vertices: usize,
-        /// Memory that the match would take, bytes.
+        /// Memory required by the match, bytes.
         needed: u64,
-        /// Memory that is allowed, bytes.
+        /// Memory allowed, bytes.
         limit: u64,
     },
     /// The match failed or was cancelled.
@@ -142,7 +141,7 @@ pub enum RunError {
     Match(#[from] MatchError),
 }
 
-/// Refuses a pair whose match would take more memory than `limits` allow. `source` is its number of vertices and of faces.
+/// Refuses a pair whose match would exceed the memory in `limits`. `source` is its number of vertices and of faces.
 ///
 /// # Errors
 /// [`RunError::TooLarge`].
@@ -178,8 +177,8 @@ pub fn run_match(
     run_match_with(&SurfaceCache::none(), source, target, parameters, limits, observer)
 }
 
-/// [`run_match`] with surfaces that were prepared for earlier matches taken from `surfaces`. The result is the same to the
-/// bit, except for the timings.
+/// [`run_match`] with surfaces prepared for earlier matches taken from `surfaces`. The result is the same to the bit,
+/// except for the timings.
 ///
 /// # Errors
 /// [`RunError`].
@@ -197,7 +196,7 @@ pub fn run_match_with(
     let outcome = match_levels(&source.levels, &target.levels, &mirrors.parameters(parameters), &timed)?;
     let provenance = Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        // Only the program knows it.
+        // Filled in by the program, which alone knows it.
         commit: "unknown".to_owned(),
         parameters: parameters.clone(),
         seed: parameters.seed,
@@ -236,7 +235,7 @@ fn input_provenance(ReadySurface { hash, prepared, .. }: &ReadySurface) -> Input
     }
 }
 
-/// Passes every event on to another observer and adds up the time spent in each phase.
+/// Passes every event on to another observer and adds up the time of each phase.
 struct PhaseTimer<'a> {
     observer: &'a dyn Observer,
     clock: Mutex<PhaseClock>,

@@ -1,7 +1,7 @@
-//! A surface that is mirrored before it is matched, and what that does to the stated transforms.
+//! Mirroring of a surface before matching, and its effect on the stated transforms.
 //!
-//! Matching sees the mirrored surface and finds a rotation. The result is stated in the coordinates of the files, so a reflection
-//! comes before it (of the source) or after it (of the target).
+//! Matching sees the mirrored surface and finds a rotation. The result is stated in the coordinates of the files, so a
+//! reflection precedes the rotation (for the source) or follows it (for the target).
 
 use crate::intake::PreparedSurface;
 use homolog_contract::input::InputSpace;
@@ -11,10 +11,10 @@ use homolog_mesh::{ClosestPointIndex, MeshError, SurfaceMesh};
 use homolog_registration::RigidTransform;
 use nalgebra::{Matrix3, Matrix4, Point3, Vector3};
 
-/// Most vertices by which the planes of a surface are compared.
+/// Largest number of vertices used to compare planes.
 const MAX_COMPARED: usize = 1000;
 
-/// A plane in which a surface is mirrored: the points `p` with `normal · p = offset_mm`.
+/// A mirror plane of a surface: the points `p` with `normal · p = offset_mm`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MirrorPlane {
     /// Unit normal.
@@ -24,8 +24,8 @@ pub struct MirrorPlane {
 }
 
 impl MirrorPlane {
-    /// `x = 0` in the space that a file declares, where x runs from left to right. A file without one has no such axis: then the
-    /// plane through the centroid and two principal axes whose mirror image of the surface lies nearest to the surface.
+    /// `x = 0` in the space declared by a file, where x runs from left to right. Without a declared space: the plane
+    /// through the centroid and two principal axes whose mirror image of the surface lies nearest to the surface.
     pub fn of(mesh: &SurfaceMesh, space: Option<InputSpace>) -> Self {
         match space {
             Some(InputSpace::ScannerRas | InputSpace::FreesurferRas | InputSpace::Lps) => {
@@ -57,7 +57,7 @@ impl MirrorPlane {
         self.transform().apply(p)
     }
 
-    /// The reflection as a transform, its own inverse.
+    /// The reflection as a transform; it is its own inverse.
     fn transform(&self) -> RigidTransform {
         let normal = Vector3::from(self.normal);
         RigidTransform {
@@ -66,7 +66,7 @@ impl MirrorPlane {
         }
     }
 
-    /// The mirror image of a surface, whose faces look outwards still.
+    /// The mirror image of a surface, with faces that still look outwards.
     ///
     /// # Errors
     /// [`MeshError::NonFinite`] if a coordinate overflows.
@@ -74,7 +74,7 @@ impl MirrorPlane {
         mesh.moved(&self.transform().matrix())
     }
 
-    /// What was done, for people.
+    /// Description of the mirroring, for people.
     pub(crate) fn note(&self) -> String {
         let [x, y, z] = self.normal;
         if self.normal == [1.0, 0.0, 0.0] {
@@ -99,7 +99,7 @@ impl Mirrors {
         Mirrors { source: source.mirror(), target: target.mirror() }
     }
 
-    /// The parameters for the surfaces as they are matched: landmarks are mirrored with their surface.
+    /// The parameters for the surfaces as matched: landmarks are mirrored with their surface.
     pub(crate) fn parameters(&self, parameters: &MatchParameters) -> MatchParameters {
         let mut seen = parameters.clone();
         for landmark in &mut seen.landmarks {
@@ -112,7 +112,7 @@ impl Mirrors {
         seen
     }
 
-    /// States every transform of `document`, which was found for the surfaces as they were matched, in the coordinates of the
+    /// Converts every transform of `document`, which was found for the matched surfaces, to the coordinates of the
     /// files.
     pub(crate) fn state(&self, document: &mut ResultDocument) {
         if self.source.is_none() && self.target.is_none() {
@@ -140,14 +140,15 @@ impl Mirrors {
         std::array::from_fn(|r| std::array::from_fn(|c| stated[(r, c)]))
     }
 
-    /// A transform in all its forms: a rotation, or a reflection in source coordinates and then a rotation.
+    /// A transform in all its forms: a rotation, or a reflection in source coordinates followed by a rotation.
     fn transform(&self, found: &TransformDocument) -> TransformDocument {
         let motion = RigidTransform::of_matrix(&found.matrix);
         let matrix = self.stated(&found.matrix);
         let whole = RigidTransform::of_matrix(&matrix);
         let (reflection, motion) = match (self.source, self.target) {
             (Some(plane), None) if !found.mirrored => (Some(plane.transform()), motion),
-            // Mirroring the target after the motion is mirroring the source, in the plane from which the motion comes, before it.
+            // Mirroring the target after the motion equals mirroring the source before it, in the plane that the motion
+            // maps to the target's.
             (None, Some(plane)) if !found.mirrored => {
                 (Some(motion.inverse().after(&plane.transform()).after(&motion)), motion)
             }

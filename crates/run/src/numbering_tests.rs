@@ -1,4 +1,4 @@
-//! Every vertex index of an answer counts the vertices of the upload.
+//! Every vertex index of an answer refers to the upload.
 
 use super::{InputFile, run_match};
 use crate::intake::IntakeLimits;
@@ -19,7 +19,7 @@ fn correspondences(source: &SurfaceMesh, target: &SurfaceMesh) -> Correspondence
     output.document.correspondences.unwrap()
 }
 
-/// `mesh` behind `n` vertices that no face uses.
+/// `mesh` preceded by `n` unused vertices.
 fn behind_unused(mesh: &SurfaceMesh, n: u32) -> SurfaceMesh {
     let mut vertices = vec![Point3::new(900.0, -50.0, 7.0); n as usize];
     vertices.extend(mesh.vertices());

@@ -1,5 +1,5 @@
-//! What every page that the program writes has in common: one HTML file that loads nothing. Its policy allows its own script and
-//! style, named by their hashes, and nothing else.
+//! Frame of every page that the program writes: one HTML file that loads nothing. Its policy allows only its own script
+//! and style, named by their hashes.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -19,7 +19,7 @@ pub struct Page<'a> {
     pub script: &'a str,
     /// HTML after the heading.
     pub body: &'a str,
-    /// What the script works on; it may contain any text.
+    /// Input of the script; it may contain any text.
     pub data: &'a Value,
 }
 
@@ -50,8 +50,8 @@ pub(crate) fn hash(text: &str) -> String {
     format!("sha256-{}", BASE64.encode(Sha256::digest(text)))
 }
 
-/// JSON as the content of a `script` element. Characters that could end the element, or that are line breaks to a script, are
-/// written as escapes of JSON; they stand inside strings only, so the value stays the same.
+/// JSON as the content of a `script` element. Characters that could end the element, or that scripts treat as line
+/// breaks, are written as JSON escapes; they occur only inside strings, so the value stays the same.
 ///
 /// Linear in the length of the JSON.
 fn embedded(data: &Value) -> String {

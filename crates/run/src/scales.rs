@@ -1,4 +1,4 @@
-//! Whether two surfaces seem to be in different units of length.
+//! Detects surfaces that seem to be in different units of length.
 
 use homolog_contract::input::InputWarning;
 use homolog_contract::result::UnreliableReason;
@@ -6,16 +6,17 @@ use homolog_mesh::SurfaceMesh;
 
 /// Ratios of units in which surfaces are exported, with their names, the larger first.
 const RATIOS: [(f64, &str); 5] = [
-    (10.0, "millimetres and centimetres"),
-    (25.4, "millimetres and inches"),
-    (100.0, "centimetres and metres"),
-    (1000.0, "millimetres and metres, or micrometres and millimetres"),
-    (1e6, "micrometres and metres"),
+    (10.0, "millimeters and centimeters"),
+    (25.4, "millimeters and inches"),
+    (100.0, "centimeters and meters"),
+    (1000.0, "millimeters and meters, or micrometers and millimeters"),
+    (1e6, "micrometers and meters"),
 ];
-/// Sizes of one structure in two subjects, or of a half and a whole, differ by less than this factor: areas by a factor of two.
+/// Largest ratio of sizes that occurs within one unit, as between one structure in two subjects, or a half and a whole:
+/// a factor of two in area.
 const NEAR: f64 = 1.4;
 
-/// A warning if the ratio of the sizes of two surfaces, the square roots of their areas, is near that of two units.
+/// A warning if the ratio of the sizes of two surfaces (square roots of their areas) is near the ratio of two units.
 pub(crate) fn scale_warning(source: &SurfaceMesh, target: &SurfaceMesh) -> Option<InputWarning> {
     let ratio = (target.area() / source.area()).sqrt();
     let factor = ratio.max(1.0 / ratio);

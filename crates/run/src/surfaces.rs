@@ -1,17 +1,18 @@
-//! A cache of surfaces that are ready to be matched, keyed by the hash of the file that they were made from.
+//! A cache of surfaces that are ready to be matched, keyed by the hash of the file they were made from.
 //!
-//! A study matches a thousand subjects to one template. Everything that is made from the template alone (the repaired and
-//! renumbered surface, its coarse levels, its search trees of closest points) is the same in each of these matches and is
-//! prepared once. What depends on both surfaces, such as features, whose radius both share, is computed in each match.
+//! A study matches a thousand subjects to one template. Everything computed from the template alone (the repaired and
+//! renumbered surface, its coarse levels, its search trees of closest points) is the same in each of these matches and
+//! is prepared once. Quantities that depend on both surfaces, such as features, whose radius both share, are computed
+//! in each match.
 //!
-//! **Access.** The key contains the hash of the whole file, computed here from bytes that the caller has. Whether the
-//! caller may read the file is decided earlier, where the tenant's blobs are read. Two tenants with the same bytes share
-//! the prepared surface, which either would have prepared alone; all that one can learn, from the time it takes, is that
-//! a file equal to its own was matched here recently.
+//! **Access.** The key contains the hash of the whole file, computed here from the caller's bytes. The decision whether
+//! the caller may read the file is made earlier, where the tenant's blobs are read. Two tenants with the same bytes
+//! share the prepared surface, which either would have prepared alone. The only information that leaks, through the
+//! time taken, is that a file equal to one's own was matched here recently.
 //!
 //! **Waiting.** Matches that need the same surface at the same time prepare it once. A match claims its two keys in
 //! ascending order and prepares after it has both, so no two matches wait for each other. It claims before its threads
-//! share any work: a thread that took over work of another match could otherwise wait for a surface that it is itself
+//! share any work: otherwise a thread that took over work of another match could wait for a surface that it is itself
 //! preparing.
 
 use super::{InputFile, RunError, Side, check_size, content_hash};
@@ -27,22 +28,23 @@ use std::hash::RandomState;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long a match waits for another match to prepare the surface that it needs, before it prepares the surface itself.
-/// Preparing takes seconds at most, so after that time the other match was stopped or gets no processor time.
+/// Time that a match waits for another match to prepare a surface before it prepares the surface itself. Preparing
+/// takes seconds at most; after this time the other match has been stopped or gets no processor time.
 const MAX_WAIT: Duration = Duration::from_secs(30);
-/// Share of the bytes for surfaces that were requested again; the rest is for new ones, which are evicted first. A surface
-/// larger than this share is not kept.
+/// Share of the bytes for surfaces that were requested again; the rest is for new ones, which are evicted first. A
+/// surface larger than this share is not kept.
 const SHARE_IN_USE: f64 = 0.75;
-/// Bytes of a surface of about 1,000 vertices, with its bending-invariant form: determines how many keys are remembered after their surfaces were evicted.
+/// Bytes of a surface of about 1,000 vertices with its bending-invariant form. Determines the number of keys remembered
+/// after their surfaces were evicted.
 const TYPICAL_BYTES: u64 = 7 << 20;
 
 /// A surface that is ready to be matched to any other.
 pub(crate) struct ReadySurface {
-    /// Content address of the file that it was made from.
+    /// Content address of the file the surface was made from.
     pub hash: String,
     /// The surface in the order of the upload, with its numbering and its report.
     pub prepared: PreparedSurface,
-    /// What matches need: the surface and its coarse levels in canonical numbering.
+    /// Data for matches: the surface and its coarse levels in canonical numbering.
     pub levels: Levels,
 }
 
@@ -56,8 +58,8 @@ impl ReadySurface {
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct Key(String);
 
-/// Weighs a surface by the memory that it takes once matches have added everything that they compute on demand, so that
-/// weights never change.
+/// Weighs a surface by its memory after matches have added everything they compute on demand, so that weights never
+/// change.
 #[derive(Debug, Clone)]
 struct ByBytes;
 
@@ -71,7 +73,7 @@ type Kept = Cache<Key, Arc<ReadySurface>, ByBytes, RandomState>;
 type Guard<'a> =
     PlaceholderGuard<'a, Key, Arc<ReadySurface>, ByBytes, RandomState, DefaultLifecycle<Key, Arc<ReadySurface>>>;
 
-/// Ready surfaces up to a number of bytes, preferring those that are requested again. Shared by all threads.
+/// Ready surfaces up to a number of bytes, preferring repeatedly requested ones. Shared by all threads.
 #[derive(Debug)]
 pub struct SurfaceCache {
     kept: Option<Kept>,
@@ -88,7 +90,7 @@ struct Request<'a> {
 enum Claim<'a> {
     /// The surface was kept.
     Kept(Arc<ReadySurface>),
-    /// The match must prepare the surface, and insert it through the guard, if there is one. Dropping the guard hands
+    /// The match must prepare the surface, and insert it through the guard, if there is one. Dropping the guard passes
     /// this task to one of the waiting matches.
     Missing(Request<'a>, Option<Guard<'a>>),
 }
@@ -158,7 +160,7 @@ impl SurfaceCache {
     /// A cache of at most `max_bytes`; `0` keeps nothing.
     pub fn new(max_bytes: u64) -> Self {
         let options = OptionsBuilder::new()
-            // With several shards each would have a part of the bytes, too little for a large surface.
+            // With several shards each would have only a part of the bytes, too little for a large surface.
             .shards(1)
             .hot_allocation(SHARE_IN_USE)
             .weight_capacity(max_bytes)
@@ -179,14 +181,15 @@ impl SurfaceCache {
         self.kept.as_ref().map_or(0, Cache::weight)
     }
 
-    /// Source and target, each taken from the cache or prepared now, on the threads of the current pool. A refused input is
-    /// not kept.
+    /// Source and target, each taken from the cache or prepared now, on the threads of the current pool. A refused
+    /// input is not kept.
     ///
     /// # Errors
-    /// [`RunError::Input`], of the source if both are refused; [`RunError::TooLarge`].
+    /// [`RunError::Input`], for the source if both are refused; [`RunError::TooLarge`].
     ///
     /// # Cost
-    /// If both are kept, the cost of hashing both files; else also that of [`prepare_surface`] and [`Levels::numbered`].
+    /// If both are kept, the cost of hashing both files; otherwise plus the cost of [`prepare_surface`] and
+    /// [`Levels::numbered`].
     pub(crate) fn ready(
         &self,
         files: [InputFile<'_>; 2],
@@ -219,7 +222,7 @@ impl SurfaceCache {
         Ok([source, target])
     }
 
-    /// Claims both in the order of their keys; only one claim if both have the same key.
+    /// Claims both keys in ascending order; a single claim if the keys are equal.
     fn claims<'a>(&'a self, [source, target]: [Request<'a>; 2]) -> (Claim<'a>, Option<Claim<'a>>) {
         match source.key.cmp(&target.key) {
             Ordering::Equal => (self.claim(source), None),

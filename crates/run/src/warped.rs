@@ -1,4 +1,4 @@
-//! One surface bent onto the other: the vertices of the one at their corresponding points, with what the deformation is at
+//! One surface bent onto the other: its vertices at their corresponding points, with measures of the deformation at
 //! each vertex.
 
 use homolog_contract::result::{Correspondences, OutlierReason, WarpDirection, WarpSpace};
@@ -28,16 +28,15 @@ pub fn segment_label(direction: WarpDirection) -> &'static str {
 /// A surface bent onto the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WarpedSurface {
-    /// The faces and the numbering of the surface that was bent; each face reversed where the transform mirrors, so that all look
-    /// outwards still. A vertex without a correspondence, which no face uses, is
-    /// only moved rigidly.
+    /// The faces and the numbering of the bent surface. If the transform mirrors, each face is reversed, so that all
+    /// still look outwards. A vertex without a correspondence, which no face uses, is only moved rigidly.
     pub mesh: SurfaceMesh,
     /// One value for each vertex; see [`warp`].
     pub arrays: Vec<VertexArray>,
 }
 
 impl WarpedSurface {
-    /// The surface that was bent, moved rigidly alone, in the same space.
+    /// The bent surface without its deformation: only moved rigidly, in the same space.
     ///
     /// # Errors
     /// [`WarpError::Mesh`] if a coordinate overflows.
@@ -53,13 +52,13 @@ impl WarpedSurface {
     }
 }
 
-/// Why a surface cannot be bent.
+/// Reasons why a surface cannot be bent.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum WarpError {
     /// The match computed no map from the target to the source.
     #[error("the match has no inverse correspondences; match again with both_directions set to true")]
     NoInverse,
-    /// The correspondences are not of these surfaces.
+    /// The correspondences do not belong to these surfaces.
     #[error("the correspondences refer to vertices that the surfaces do not have")]
     OtherSurfaces,
     /// The transform has no inverse.
@@ -70,16 +69,15 @@ pub enum WarpError {
     Mesh(#[from] MeshError),
 }
 
-/// Bends the source onto the target, or the target onto the source: each vertex moves to its corresponding point, which lies
-/// on the other surface. `space` is that in which the result is given; the points lie on the other surface where it is the
-/// other surface's own, and otherwise on that surface moved rigidly.
+/// Bends the source onto the target, or the target onto the source: each vertex moves to its corresponding point, which
+/// lies on the other surface. `space` is the space of the result. If it is the other surface's own, the points lie on
+/// the other surface; otherwise they lie on that surface moved rigidly.
 ///
-/// The arrays: `image_x_mm`, `image_y_mm`, `image_z_mm` (where the vertex is then), and, with the rigid transform taken out of
-/// every displacement:
-/// `displacement_x_mm`, `displacement_y_mm`, `displacement_z_mm` (from the rigidly moved vertex to its corresponding point,
-/// in `space`), `displacement_normal_mm` (its part along the outward normal), `residual_mm` (its length), `area_ratio` (area
-/// around the vertex after bending, over that before), `confidence`, `spread_mm`, and `outlier` (0 none, 1 residual,
-/// 2 neighborhood, 3 both, 4 no counterpart).
+/// The arrays: `image_x_mm`, `image_y_mm`, `image_z_mm` (position of the vertex after bending) and, with the rigid
+/// transform removed from every displacement: `displacement_x_mm`, `displacement_y_mm`, `displacement_z_mm` (from the
+/// rigidly moved vertex to its corresponding point, in `space`), `displacement_normal_mm` (its component along the
+/// outward normal), `residual_mm` (its length), `area_ratio` (area around the vertex after bending over the area
+/// before), `confidence`, `spread_mm`, and `outlier` (0 none, 1 residual, 2 neighborhood, 3 both, 4 no counterpart).
 ///
 /// # Errors
 /// [`WarpError`].
@@ -102,7 +100,7 @@ pub fn warp(
             (target, source, inverse, backward, forward)
         }
     };
-    // From the space of the fixed surface, in which corresponding points are, to the one that is asked for.
+    // Transform from the space of the fixed surface, which contains the corresponding points, to the requested space.
     let is_own = (direction == WarpDirection::Forward) == (space == WarpSpace::Target);
     let to_space = if is_own { Matrix4::identity() } else { moving_from_fixed };
     let rigid: Vec<Point3<f64>> = moving.vertices().iter().map(|p| fixed_from_moving.transform_point(p)).collect();
@@ -121,11 +119,11 @@ pub fn warp(
     let displacements: Vec<Vector3<f64>> =
         bent.iter().zip(&rigid).map(|(image, rigid)| to_space.transform_vector(&(image - rigid))).collect();
     let rotated = to_space * fixed_from_moving;
-    // Outward normals stay outward under a transform that mirrors.
+    // Outward normals stay outward under a mirroring transform.
     let normals = moving.vertex_normals().into_iter().map(|normal| rotated.transform_vector(&normal));
     let along: Vec<f64> = displacements.iter().zip(normals).map(|(d, normal)| d.dot(&normal)).collect();
     let mesh = moving.with_vertices(bent.iter().map(|p| to_space.transform_point(p)).collect())?;
-    // Faces that were mirrored look inwards.
+    // Mirrored faces look inwards.
     let mesh = if rotated.determinant() < 0.0 { repair::reversed(&mesh) } else { mesh };
     let area_ratio = ratios(&vertex_areas(&mesh), &vertex_areas(moving));
     let real = |name, values| VertexArray { name, values: VertexValues::Real(values) };
@@ -169,7 +167,7 @@ fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
     areas
 }
 
-/// Quotients; 1 where there is no area before.
+/// Quotients; 1 where the area before is zero.
 fn ratios(after: &[f64], before: &[f64]) -> Vec<f64> {
     after.iter().zip(before).map(|(&after, &before)| if before > 0.0 { after / before } else { 1.0 }).collect()
 }
@@ -179,8 +177,8 @@ mod tests {
     use super::*;
     use homolog_mesh::FaceArity;
 
-    /// A tetrahedron, the same turned by a quarter about z, moved by (10, 0, 0) and grown by two about a vertex, and their
-    /// correspondence, whose target vertices are in the opposite order.
+    /// A tetrahedron; the same rotated by a quarter about z, moved by (10, 0, 0) and scaled by two about a vertex; and
+    /// their correspondence, whose target vertices are in the opposite order.
     fn grown() -> ([SurfaceMesh; 2], Correspondences, [[f64; 4]; 4]) {
         let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
         let faces = vec![0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
@@ -219,7 +217,7 @@ mod tests {
         assert_eq!(there.mesh.indices(), source.indices());
         let expected: Vec<_> = target.vertices().iter().rev().copied().collect();
         assert_eq!(there.mesh.vertices(), expected);
-        // Without the rigid part, the vertex on the x axis moves by one more along x, which the transform turns to y.
+        // Without the rigid part, the vertex on the x axis moves by one more along x, which the transform rotates to y.
         assert_eq!(
             [0, 1, 2].map(|k| real(&there, ["displacement_x_mm", "displacement_y_mm", "displacement_z_mm"][k])[1]),
             [0.0, 1.0, 0.0]

@@ -1,15 +1,15 @@
-//! The answer for all vertices of a surface that was simplified before it was matched.
+//! Extends the answer for a simplified surface to all vertices of the original.
 //!
-//! A vertex that simplification dropped lies on, or near, a triangle of the simplified surface. Its corresponding point is the
-//! mean of those of the triangle's corners, with its barycentric coordinates as weights, taken to the closest point of the
-//! other surface as it was before simplification.
+//! A vertex dropped by simplification lies on or near a triangle of the simplified surface. Its corresponding point is
+//! the mean of the corresponding points of the triangle's corners, with its barycentric coordinates as weights,
+//! projected to the closest point of the other surface before simplification.
 
 use crate::intake::PreparedSurface;
 use homolog_contract::result::Correspondences;
 use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 
-/// A vertex that simplification dropped, and where it was on the surface that was left; all in the numbering of the upload.
+/// A vertex dropped by simplification, and its place on the simplified surface; all in the numbering of the upload.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dropped {
     pub(crate) vertex: u32,
@@ -17,11 +17,11 @@ pub(crate) struct Dropped {
     pub(crate) barycentric: [f64; 3],
 }
 
-/// `pairs` of the simplified surfaces as pairs of the whole ones: rows for all vertices, ascending, and corresponding points on
-/// triangles of the whole surface. The same pairs if neither surface was simplified.
+/// Converts `pairs` of the simplified surfaces to pairs of the whole surfaces: rows for all vertices, ascending, and
+/// corresponding points on triangles of the whole surface. Returns the same pairs if neither surface was simplified.
 ///
-/// Of a dropped vertex, `confidence` and `spread_mm` are the weighted means of those of the corners, and `inlier` and `outlier`
-/// are those of the corner that weighs most.
+/// For a dropped vertex, `confidence` and `spread_mm` are the weighted means over the corners, and `inlier` and
+/// `outlier` are taken from the corner with the largest weight.
 pub(crate) fn of_whole(pairs: Correspondences, source: &PreparedSurface, target: &PreparedSurface) -> Correspondences {
     if source.dropped().is_empty() && target.dropped().is_empty() {
         return pairs;

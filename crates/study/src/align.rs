@@ -1,8 +1,8 @@
-//! Shapes in one frame: generalized Procrustes analysis over subjects that are read one after the other.
+//! Aligns shapes in one frame: generalized Procrustes analysis over subjects that are read one after the other.
 //!
-//! All shapes have the template's vertices. The metric is that of the surface: vertex `v` weighs its share `w_v` of the area,
-//! so that neither the mean nor the distance of two shapes, `√(Σ w_v ‖p_v − q_v‖²)` (mm, root mean square), depends on where
-//! the template happens to have many vertices.
+//! All shapes have the template's vertices. The metric is that of the surface: vertex `v` has as weight its share `w_v`
+//! of the area. Neither the mean nor the distance of two shapes, `√(Σ w_v ‖p_v − q_v‖²)` (mm, root mean square),
+//! therefore depends on the vertex density of the template.
 //!
 //! Source: Gower, *Generalized Procrustes analysis*, Psychometrika 40, 1975.
 
@@ -15,28 +15,28 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Subjects that are read at a time: bounds the memory, whatever the number of threads.
+/// Subjects read at a time; bounds the memory for any number of threads.
 const AT_A_TIME: usize = 32;
 const MAX_ITERATIONS: usize = 20;
-/// The mean is found when an iteration moves it by less than this share of its size.
+/// Relative movement of the mean in an iteration below which the mean is final.
 const TOLERANCE: f64 = 1e-9;
 
 /// Shapes with the same vertices, read in parts.
 pub trait Shapes: Sync {
     /// Number of shapes.
     fn len(&self) -> usize;
-    /// Whether there are none.
+    /// Whether there are no shapes.
     fn is_empty(&self) -> bool {
         self.len() == 0
     }
-    /// Vertices of each.
+    /// Number of vertices of each shape.
     fn n_vertices(&self) -> usize;
-    /// Some vertices of one shape, mm, in coordinates of its own.
+    /// Some vertices of one shape, mm, in the shape's own coordinates.
     ///
     /// # Errors
     /// [`StudyError`] if it cannot be read.
     fn read(&self, shape: usize, vertices: Range<usize>) -> Result<Vec<[f32; 3]>, StudyError>;
-    /// What messages call a shape.
+    /// The name of a shape in messages.
     fn name(&self, shape: usize) -> String;
 }
 
@@ -56,11 +56,11 @@ impl Shapes for Vec<Vec<[f32; 3]>> {
     }
 }
 
-/// Shapes whose reading ends once an observer asks to stop, and with it what reads them one after the other.
+/// Shapes whose reading ends once an observer asks to stop, which also ends the computations that read them.
 pub(crate) struct WatchedShapes<'a> {
     /// The shapes.
     pub(crate) shapes: &'a dyn Shapes,
-    /// Asked before every part that is read.
+    /// The observer, asked before every part that is read.
     pub(crate) observer: &'a dyn Observer,
 }
 
@@ -90,22 +90,22 @@ pub(crate) fn points(read: &[[f32; 3]]) -> Vec<Point3<f64>> {
 pub struct Alignment {
     /// The mean shape, mm.
     pub mean: Vec<Point3<f64>>,
-    /// Share of the area of the template at each vertex; their sum is 1.
+    /// Share of the template's area at each vertex; the sum is 1.
     pub weights: Vec<f64>,
     /// For each shape the transform onto the mean.
     pub onto_mean: Vec<SimilarityTransform>,
-    /// Iterations that were needed.
+    /// Number of iterations.
     pub iterations: usize,
 }
 
-/// Share of the area of `mesh` at each vertex: a third of each triangle's; their sum is 1.
+/// Share of the area of `mesh` at each vertex: a third of each adjacent triangle; the sum is 1.
 pub fn area_weights(mesh: &SurfaceMesh) -> Vec<f64> {
     let areas = vertex_areas(mesh);
     let whole: f64 = areas.iter().sum();
     areas.into_iter().map(|area| area / whole).collect()
 }
 
-/// Area at each vertex, mm²: equal parts of each face's.
+/// Area at each vertex, mm²: an equal part of each adjacent face.
 pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
     let mut areas = vec![0.0; mesh.n_vertices()];
     for (face, area) in mesh.faces().zip(mesh.face_vector_areas()) {
@@ -114,14 +114,14 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
     areas
 }
 
-/// The mean of shapes and the transforms onto it, from the vertices of `template` as first mean. With [`Size::Removed`] all
-/// shapes are scaled to the mean of their centroid sizes.
+/// The mean of shapes and the transforms onto it, starting with the vertices of `template` as the mean. With
+/// [`Size::Removed`] all shapes are scaled to the mean of their centroid sizes.
 ///
 /// # Errors
-/// [`StudyError::Alignment`] for a shape without three points apart; those of reading.
+/// [`StudyError::Alignment`] for a shape whose points do not determine an orientation; errors of reading.
 ///
 /// # Cost
-/// Reads every shape once an iteration, usually three to five times, [`AT_A_TIME`] in memory; sums have a fixed order.
+/// Reads every shape once per iteration, usually three to five times, [`AT_A_TIME`] in memory; sums have a fixed order.
 pub fn align(shapes: &dyn Shapes, template: &SurfaceMesh, size: Size) -> Result<Alignment, StudyError> {
     let weights = area_weights(template);
     let (mut mean, n) = (template.vertices().to_vec(), shapes.len());
@@ -183,7 +183,7 @@ pub(crate) fn onto(
     let options = ProcrustesOptions { with_scale, ..ProcrustesOptions::default() };
     let mut found = procrustes(shape, mean, Some(weights), &options)?.target_from_source;
     if with_scale {
-        // Scaled to the size of the mean, rather than to the least residual, which shrinks whatever fits badly.
+        // Scaled to the size of the mean. Scaling to the least residual would shrink poorly fitting shapes.
         let scale = centroid_size(mean, weights) / centroid_size(shape, weights);
         let (from, to) = (centroid(shape, weights), centroid(mean, weights));
         found = SimilarityTransform { scale, translation: to - scale * (found.rotation * from), ..found };
@@ -239,7 +239,7 @@ mod tests {
             let moved: Vec<_> = points(shape).iter().map(|p| onto.apply(p)).collect();
             assert!(rms(&moved, &found.mean, &found.weights) < 1e-5);
         }
-        // With size, what remains is size.
+        // With size kept, the remaining difference is size.
         let kept = align(&shapes, &mesh, Size::Kept).unwrap();
         assert!(kept.onto_mean.iter().all(|t| t.scale == 1.0));
         let size = |k: usize| centroid_size(&points(&shapes[k]), &kept.weights);

@@ -1,16 +1,17 @@
-//! From the mean of a group to the next template: how far it lies from the last one as a *surface*, and vertices that stay where
-//! they were along it.
+//! Makes the next template from the mean of a group: measures its distance from the last one as a *surface*, and keeps
+//! the vertices in place along the surface.
 //!
-//! A round of matching and averaging moves vertices for two reasons. Across the surface they move because the mean has another
-//! shape, which is what a template is made for. Along the surface they slide, because a match decides where on a subject a vertex
-//! comes to lie with some error that is not zero on average; no round takes that back, so that vertices wander and triangles
-//! degenerate although the surface stands still. Hence the movement of a round is the distance of two surfaces, whatever their
-//! vertices ([`surface_distance`]), and the mean gets the vertices of the last template back, as far as it is the same surface
-//! ([`next_template`]). What is then left is a map from surfaces to surfaces, and its rounds have a fixed point.
+//! A round of matching and averaging moves vertices for two reasons. Across the surface they move because the mean has
+//! another shape, which is the purpose of a template. Along the surface they slide, because a match places vertices on
+//! a subject with an error that is not zero on average. No round reverses that, so vertices wander and triangles
+//! degenerate although the surface stands still. The movement of a round is therefore the distance of two surfaces,
+//! independent of their vertices ([`surface_distance`]), and the mean gets the vertices of the last template back, as
+//! far as it is the same surface ([`next_template`]). The remaining map is one from surfaces to surfaces, and its
+//! rounds have a fixed point.
 //!
-//! Between vertices, a surface is taken to be curved as its normals say, because a vertex that lies in the middle of a flat triangle
-//! would otherwise lie inside the surface by an eighth of its curvature times the square of an edge, 2 % of an edge on a
-//! hippocampus. Source: Boubekeur, Alexa, *Phong tessellation*, ACM Transactions on Graphics 27(5), 2008.
+//! Between vertices, a surface is taken to be curved according to its normals. Otherwise a vertex in the middle of a
+//! flat triangle would lie inside the surface by an eighth of its curvature times the square of an edge, 2 % of an edge
+//! on a hippocampus. Source: Boubekeur, Alexa, *Phong tessellation*, ACM Transactions on Graphics 27(5), 2008.
 
 use crate::align::area_weights;
 use crate::error::StudyError;
@@ -22,18 +23,18 @@ use homolog_registration::{
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// How far vertices are put back, as shares of the way; the largest that costs no shape is taken.
+/// Candidate shares of the way by which vertices are put back; the largest that preserves the shape is chosen.
 const PUT_BACK: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
-/// What putting vertices back may cost: distance of the mean from what is left of it, RMS, in mean edges. Below what ends the
-/// rounds ([`crate::settings::MadeTemplate::tolerance`]), so that it cannot hide a movement.
+/// Largest RMS distance, in mean edges, between the mean and its surface after vertices are put back. It is below the
+/// tolerance that ends the rounds ([`crate::settings::MadeTemplate::tolerance`]), so that it cannot hide a movement.
 const LOST_SHARE: f64 = 0.02;
 /// Share of the way from a triangle to the planes through its corners at which a quadric lies.
 const PHONG: f64 = 0.5;
 const ALIGNMENT_STEPS: u32 = 60;
-/// Alignment ends below this step: radians, and diagonals of the surface.
+/// Step below which the alignment ends: radians, and diagonals of the surface.
 const ALIGNMENT_TOLERANCE: f64 = 1e-7;
 
-/// How far two surfaces are from each other, mm, over both of them by area.
+/// Distance between two surfaces, mm, over both of them, weighted by area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceDistance {
     /// Root mean square.
@@ -44,16 +45,16 @@ pub struct SurfaceDistance {
     pub largest_mm: f64,
 }
 
-/// What became of a mean.
+/// The next template, and how it was made from a mean.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NextTemplate {
     /// The surface of the mean, with the vertices of the last template as far as they were put back.
     pub mesh: SurfaceMesh,
-    /// From the last template to the mean, as surfaces.
+    /// Distance from the last template to the mean, as surfaces.
     pub moved: SurfaceDistance,
-    /// How far averaging moved vertices along the surface, RMS by area, mm.
+    /// RMS distance, weighted by area, by which averaging moved vertices along the surface, mm.
     pub slid_mm: f64,
-    /// Share of that which was taken back: 1 where the mean and the last template are nearly the same surface.
+    /// Share of that distance which was reversed: 1 if the mean and the last template are nearly the same surface.
     pub put_back: f64,
 }
 
@@ -95,10 +96,10 @@ impl ClosestSurfacePoint for CurvedSurface<'_> {
     }
 }
 
-/// Distance of two surfaces, whatever their vertices, after `a` was moved onto `b` rigidly; they lie roughly on each other
-/// before.
+/// Distance of two surfaces, independent of their vertices, after `a` was moved rigidly onto `b`. They must lie roughly
+/// on each other.
 ///
-/// From every vertex of each to the nearest point of the other, weighted by the vertex's area.
+/// Measured from every vertex of each to the nearest point of the other, weighted by the vertex's area.
 ///
 /// # Cost
 /// `O(n log n)`, up to 60 times for the alignment.
@@ -122,7 +123,7 @@ fn moved_onto(a: &SurfaceMesh, b: &CurvedSurface<'_>, observer: &dyn Observer) -
     let found = align_both_ways(&from.side(), &b.side(), &RigidTransform::identity(), &options, observer)?;
     let pose = found.target_from_source;
     let moved = a.with_vertices(a.vertices().iter().map(|p| pose.apply(p)).collect())?;
-    // About an axis of a body of revolution any rotation fits, and a step along it can be a wild one.
+    // Any rotation about the axis of a body of revolution fits, and a step along it can be arbitrarily large.
     let nearer = between(&CurvedSurface::new(&moved), b).rms_mm < between(&from, b).rms_mm;
     Ok(if nearer { moved } else { a.clone() })
 }
@@ -139,16 +140,16 @@ fn between(a: &CurvedSurface<'_>, b: &CurvedSurface<'_>) -> SurfaceDistance {
     SurfaceDistance { rms_mm: squares.sqrt(), mean_mm: sum, largest_mm: largest }
 }
 
-/// The next template: the surface of `mean`, the mean position of each vertex of `template`, roughly on it. It is moved
-/// rigidly onto the template, and its vertices are put back to where those of the template are nearest to it, the whole way or part
-/// of it: as far as no triangle turns over and no end of the surface is cut off. Vertices on a border stay where averaging put them,
-/// or the border would recede.
+/// The next template: the surface of `mean`, the mean position of each vertex of `template`, roughly on it. The mean is
+/// moved rigidly onto the template. Its vertices are then moved all or part of the way to the points nearest to the
+/// template's vertices: as far as no triangle turns over and no end of the surface is cut off. Vertices on a border
+/// keep their averaged positions, or the border would recede.
 ///
 /// # Errors
 /// [`StudyError::Mesh`] if a position is not finite; [`StudyError::Interrupted`].
 ///
 /// # Cost
-/// That of [`surface_distance`].
+/// The cost of [`surface_distance`].
 pub fn next_template(
     template: &SurfaceMesh,
     mean: Vec<Point3<f64>>,
@@ -191,14 +192,14 @@ pub fn next_template(
     Ok(NextTemplate { mesh: mean, moved, slid_mm, put_back: 0.0 })
 }
 
-/// Triangles that do not look the way of the surface, whose normals at their corners are given.
+/// Number of triangles that face away from the surface, given the normals at their corners.
 fn turned(mesh: &SurfaceMesh, normals: &[Vector3<f64>]) -> usize {
     let along = |face: &[u32]| face.iter().map(|&v| normals[v as usize]).sum::<Vector3<f64>>();
     mesh.faces().zip(mesh.face_vector_areas()).filter(|(face, area)| along(face).dot(area) <= 0.0).count()
 }
 
-/// Quality of the triangles of a surface, `4√3 · area / (a² + b² + c²)` with edges `a`, `b`, `c`: 1 for equilateral ones, 0 for those
-/// without area. Their mean, and the lowest 5th percentile.
+/// Quality of the triangles of a surface, `4√3 · area / (a² + b² + c²)` with edges `a`, `b`, `c`: 1 for equilateral
+/// triangles, 0 for triangles without area. Returns the mean and the lowest 5th percentile.
 ///
 /// Source: Bank, Smith, *Mesh smoothing using a posteriori error estimates*, SIAM Journal on Numerical Analysis 34(3), 1997.
 pub fn triangle_quality(mesh: &SurfaceMesh) -> [f64; 2] {
@@ -237,7 +238,7 @@ mod tests {
         let found = surface_distance(&a, &b).unwrap();
         let edge = a.mean_edge_length();
         assert!(found.rms_mm < 0.003 * edge && found.largest_mm < 0.02 * edge, "{found:?}, edges {edge} mm");
-        // And growth is: by 5 % of the distance of tangent planes from the center, the mean of which is 3 V / A.
+        // Growth also counts: 5 % of the distance of tangent planes from the center, whose mean is 3 V / A.
         let grown = a.with_vertices(a.vertices().iter().map(|p| p * 1.05).collect()).unwrap();
         let found = surface_distance(&grown, &a).unwrap();
         let growth = 0.05 * 3.0 * a.signed_volume() / a.area();
@@ -249,7 +250,7 @@ mod tests {
         let axes = Vector3::new(9.0, 6.0, 4.0);
         let template = turned_grid(axes, 3, 0.0);
         let edge = template.mean_edge_length();
-        // The same surface 2 % larger, on vertices that slid about the long axis by most of an edge.
+        // The same surface, 2 % larger, on vertices that slid about the long axis by most of an edge.
         let slide = Rotation3::from_axis_angle(&Vector3::x_axis(), 0.12);
         let slid = template.vertices().iter().map(|p| {
             let on_ball = slide * p.coords.component_div(&axes);
@@ -269,7 +270,7 @@ mod tests {
         assert!(along(&next.mesh) < 0.05, "{} of an edge", along(&next.mesh));
         let grown: Vec<f64> = next.mesh.vertices().iter().map(|p| p.coords.component_div(&axes).norm()).collect();
         assert!(grown.iter().all(|r| (1.01..1.03).contains(r)), "{grown:?}");
-        // Again with nothing left to do: it stands still.
+        // Repeated with nothing left to change: it stays the same.
         let same = next_template(&next.mesh, next.mesh.vertices().to_vec(), &Silent).unwrap();
         assert!(same.moved.rms_mm < 1e-9 && same.slid_mm < 1e-9, "{same:?}");
     }

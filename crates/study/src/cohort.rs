@@ -1,36 +1,36 @@
-//! Who is in a study: a table of files with covariates, or the files of a folder.
+//! The subjects of a study: a table of files with covariates, or the files of a folder.
 //!
-//! The table is CSV with a header. `file` is required; `id`, `subject` (who it is, where one subject has several visits),
-//! `role` and `side` are optional; every other column, and `side` too, is a covariate: a number if all its values are, else a
-//! factor. Empty cells, `NA` and `NaN` are missing values.
+//! The table is CSV with a header. `file` is required; `id`, `subject` (the person, if one person has several visits),
+//! `role` and `side` are optional. Every other column, and `side` too, is a covariate: a number if all its values are
+//! numbers, otherwise a factor. Empty cells, `NA` and `NaN` are missing values.
 
 use homolog_contract::input::BodySide;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// What a subject is for.
+/// Role of a subject.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
     /// Part of the shape model and of the statistics.
     Model,
-    /// Only compared with the model: its scores and how unusual its shape is.
+    /// Only compared with the model: gets scores and a measure of how unusual its shape is.
     Score,
 }
 
 /// One surface or label volume of a study.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Subject {
-    /// Its name in all outputs: letters, digits, `_`, `-` and `.`, and no name of a device; unique.
+    /// Name in all outputs: letters, digits, `_`, `-` and `.`, not a device name; unique.
     pub id: String,
-    /// Its file, as the table names it.
+    /// File, as named in the table.
     pub file: PathBuf,
-    /// Who it is: rows with the same subject are visits of one person. The id where the table does not say.
+    /// Person: rows with the same subject are visits of one person. Defaults to the id.
     pub subject: String,
-    /// What it is for.
+    /// Role.
     pub role: Role,
-    /// On which side of the body it lies; one that differs from the template's is mirrored.
+    /// Side of the body; a subject of another side than the template's is mirrored.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub side: Option<BodySide>,
 }
@@ -50,7 +50,7 @@ pub struct Covariate {
 pub enum Values {
     /// Numbers.
     Numbers(Vec<Option<f64>>),
-    /// Levels of a factor, by their place in `levels`, which are in alphabetical order.
+    /// Levels of a factor, given by their index in `levels`, which are in alphabetical order.
     Factor {
         /// The levels.
         levels: Vec<String>,
@@ -68,21 +68,21 @@ pub struct Cohort {
     pub covariates: Vec<Covariate>,
 }
 
-/// What is wrong with a table. Rows are lines of the file; the header is line 1.
+/// Faults of a table. Rows are lines of the file; the header is line 1.
 #[derive(Debug, thiserror::Error)]
 pub enum CohortError {
     /// It is not CSV.
     #[error("the table is not CSV: {0}; write a header and rows with as many cells, separated by commas, in UTF-8")]
     NotCsv(csv::Error),
-    /// A column that every table has is missing.
+    /// A required column is missing.
     #[error("the table has no column {0}; its header names the columns, such as id,file,group,age")]
     NoColumn(&'static str),
-    /// Two columns have one name, or a column has none.
+    /// Two columns have the same name, or a column has none.
     #[error("column {column} of the table has {fault}; give each column a name of its own")]
     ColumnName {
         /// Its number, from 1.
         column: usize,
-        /// What is wrong.
+        /// The fault.
         fault: &'static str,
     },
     /// A cell is wrong.
@@ -92,7 +92,7 @@ pub enum CohortError {
         line: u64,
         /// The column.
         column: String,
-        /// What is wrong, and what to do.
+        /// The fault and its remedy.
         fault: String,
     },
     /// Too few subjects.
@@ -100,7 +100,7 @@ pub enum CohortError {
     TooFew(usize),
 }
 
-/// Endings of files that lie beside data and are none.
+/// Extensions of files that accompany data but are not data.
 const NOT_DATA: [&str; 9] = ["csv", "tsv", "txt", "md", "json", "html", "log", "pdf", "xlsx"];
 
 impl Cohort {
@@ -175,24 +175,25 @@ impl Cohort {
         Cohort { subjects, covariates }.checked()
     }
 
-    /// The subjects of a table of cells, the header first, as [`Cohort::from_csv`] reads them; files are as they are named.
+    /// The subjects of a table of cells, the header first, as read by [`Cohort::from_csv`]; file names are kept
+    /// unchanged.
     ///
     /// # Errors
-    /// As for [`Cohort::from_csv`]; row `k` is line `k + 1` if no cell has a line break.
+    /// The errors of [`Cohort::from_csv`]; row `k` is line `k + 1` if no cell has a line break.
     pub fn from_rows(rows: impl Iterator<Item = Vec<String>>) -> Result<Self, CohortError> {
         let mut table = csv::Writer::from_writer(Vec::new());
         for row in rows {
             table.write_record(&row).map_err(CohortError::NotCsv)?;
         }
-        // Nothing is buffered by a vector that could fail.
+        // A vector buffers nothing that could fail.
         Cohort::from_csv(&table.into_inner().unwrap_or_default(), Path::new(""))
     }
 
-    /// A subject for each of these files, in the order of their names, without covariates. Tables, texts and hidden files
-    /// are left out.
+    /// One subject per file, in the order of the file names, without covariates. Tables, texts and hidden files are
+    /// left out.
     ///
     /// # Errors
-    /// [`CohortError::TooFew`]; [`CohortError::Cell`] if two files have one stem.
+    /// [`CohortError::TooFew`]; [`CohortError::Cell`] if two files have the same stem.
     pub fn from_files(mut files: Vec<PathBuf>) -> Result<Self, CohortError> {
         files.sort();
         files.retain(|file| {
@@ -217,7 +218,7 @@ impl Cohort {
         if n < 3 { Err(CohortError::TooFew(n)) } else { Ok(self) }
     }
 
-    /// The covariate of a name.
+    /// The covariate with a given name.
     pub fn covariate(&self, name: &str) -> Option<&Covariate> {
         self.covariates.iter().find(|covariate| covariate.name == name)
     }
@@ -233,7 +234,7 @@ fn is_plain(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')
 }
 
-/// Whether Windows takes a name, whatever its ending, for a device: no file there can be called so.
+/// Whether Windows reserves a name, with any extension, for a device, so that no file can have it.
 fn is_device(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or_default().to_ascii_uppercase();
     let port = stem.strip_prefix("COM").or(stem.strip_prefix("LPT"));

@@ -1,10 +1,15 @@
-//! Consistency of maps over the group: a point that goes around a cycle of subjects should come back.
+//! Consistency of maps over the group: a point that goes around a cycle of subjects should return to its place.
 //!
-//! Four cycles are measured, over all vertices of the subject where they begin: to the template and back by two matches that
-//! know nothing of each other; to another subject and back by such a pair of matches; around a ring of subjects by pair maps
-//! alone; and around the same ring through the template, where every map is the template's to one subject after the inverse of
-//! its map to another. The last is consistent by construction, up to where a bent template does not reach; it is reported
-//! to show what that costs. How far pair maps are from those through the template is reported too.
+//! Four cycles are measured, over all vertices of the subject where they begin:
+//!
+//! - to the template and back, by two independent matches;
+//! - to another subject and back, by two independent matches;
+//! - around a ring of subjects, by pair maps alone;
+//! - around the same ring through the template, where every map is the template's map to one subject after the inverse
+//!   of its map to another. This cycle is consistent by construction, except where a bent template does not reach; it
+//!   is reported to show the cost of that.
+//!
+//! The distance between pair maps and maps through the template is reported too.
 
 use crate::error::StudyError;
 use crate::folder::Folder;
@@ -28,7 +33,7 @@ pub struct Distances {
     pub p95_mm: f64,
 }
 
-/// How consistent maps are.
+/// Consistency of the maps.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Consistency {
     /// Subjects of the ring.
@@ -41,7 +46,7 @@ pub struct Consistency {
     pub ring_by_pairs: Distances,
     /// Around the whole ring, through the template.
     pub ring_through_template: Distances,
-    /// From a pair map to the map through the template.
+    /// Distance between a pair map and the map through the template.
     pub pair_to_template: Distances,
 }
 
@@ -72,10 +77,10 @@ fn distances(mut all: Vec<f64>) -> Distances {
     Distances { mean_mm: all.iter().sum::<f64>() / n as f64, median_mm: at(50), p95_mm: at(95) }
 }
 
-/// Measures the cycles of a study; `None` if none were asked for, or a match of the ring failed.
+/// Measures the cycles of a study; `None` if none were requested, or a match of the ring failed.
 ///
 /// # Errors
-/// Those of reading records and files; [`StudyError::Interrupted`].
+/// Errors of reading records and files; [`StudyError::Interrupted`].
 pub fn consistency(
     study: &Study,
     matched: &Matched,
@@ -95,7 +100,7 @@ pub fn consistency(
         let name = file.file_name().and_then(|name| name.to_str());
         let parameters = &study.settings.parameters.input.of_target();
         match prepare_surface(&bytes, name, parameters, &IntakeLimits::default()) {
-            // The numbering of the upload, which records count; vertices without faces go around no cycle.
+            // The numbering of the upload, to which records refer; vertices without faces are in no cycle.
             Ok(prepared) if study.is_mirrored(k) => surfaces.push(crate::sides::mirrored(prepared.uploaded())?),
             Ok(prepared) => surfaces.push(prepared.uploaded().clone()),
             Err(_) => return Ok(None),
@@ -122,7 +127,7 @@ pub fn consistency(
         out.push(SurfaceMap::new(surface, forward));
         back.push(SurfaceMap::new(next, backward));
         to.push((SurfaceMap::new(surface, to_template), SurfaceMap::new(mesh, onto.clone())));
-        // From a subject to the template, as the inverse of the template's map to it.
+        // From a subject to the template: the inverse of the template's map to the subject.
         inverse.push(SurfaceMap::new(&mesh.with_vertices(onto)?, mesh.vertices().to_vec()));
     }
     let apart = |a: &[Point3<f64>], b: &[Point3<f64>]| a.iter().zip(b).map(|(p, q)| (p - q).norm()).collect::<Vec<_>>();

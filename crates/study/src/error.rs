@@ -1,4 +1,4 @@
-//! Why a study cannot go on.
+//! Reasons why a study cannot continue.
 
 use crate::cohort::CohortError;
 use homolog_mesh::MeshError;
@@ -6,21 +6,22 @@ use homolog_primitives::observe::Cancelled;
 use homolog_registration::OrientationError;
 use std::path::PathBuf;
 
-/// Why a study cannot go on. A subject that cannot be read or matched is no error: it is listed with the reason.
+/// Reasons why a study cannot continue. A subject that cannot be read or matched is not an error: it is listed with the
+/// reason.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
-    /// The table of subjects.
+    /// The table of subjects is faulty.
     #[error(transparent)]
     Cohort(#[from] CohortError),
-    /// A name in the settings is unknown, or what they ask for cannot be computed.
+    /// A name in the settings is unknown, or the requested computation is impossible.
     #[error("{0}")]
     Settings(String),
-    /// The surface from which the template begins.
+    /// The first surface of the template is unsuitable.
     #[error("the template cannot begin from {what}: {why}; choose another with --start, or give one with --template")]
     Start {
-        /// Which surface.
+        /// The surface.
         what: String,
-        /// What is wrong with it.
+        /// The reason.
         why: String,
     },
     /// Too few subjects were matched.
@@ -30,11 +31,11 @@ pub enum StudyError {
     TooFewMatches {
         /// Matched subjects.
         matched: usize,
-        /// Subjects that were tried.
+        /// Subjects tried.
         all: usize,
-        /// For what.
+        /// Purpose of the matches.
         purpose: &'static str,
-        /// Why the first failed.
+        /// Reason of the first failure.
         reason: String,
     },
     /// A shape has no orientation.
@@ -42,7 +43,7 @@ pub enum StudyError {
     Alignment {
         /// The subject.
         id: String,
-        /// Why.
+        /// The reason.
         error: OrientationError,
     },
     /// Coordinates overflowed.
@@ -51,31 +52,31 @@ pub enum StudyError {
     /// An eigenvalue decomposition failed.
     #[error("the shape model cannot be computed: {0} has no eigenvalue decomposition")]
     Decomposition(&'static str),
-    /// A file.
+    /// A file cannot be read or written.
     #[error("cannot {what} {}: {source}", path.display())]
     File {
         /// `read` or `write`.
         what: &'static str,
-        /// Which file.
+        /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: std::io::Error,
     },
     /// A file of the study's folder is damaged.
     #[error("{} is damaged: {why}", path.display())]
     Damaged {
-        /// Which file.
+        /// The file.
         path: PathBuf,
-        /// What is wrong, and what to do.
+        /// The fault and its remedy.
         why: String,
     },
-    /// A file differs from the one that `study.json` names.
+    /// A file differs from the one named in `study.json`.
     #[error("{} is not the file of the study: its content has changed since; restore it, or begin a new study", path.display())]
     Changed {
-        /// Which file.
+        /// The file.
         path: PathBuf,
     },
-    /// The caller asked to stop. What is finished is kept.
+    /// The caller asked to stop. Finished results are kept.
     #[error("the study was interrupted; the same command goes on")]
     Interrupted,
 }

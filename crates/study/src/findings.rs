@@ -1,4 +1,4 @@
-//! From matches and decisions to everything that a study finds.
+//! Computes all findings of a study from matches and decisions.
 
 use crate::align::{Alignment, WatchedShapes, align, centroid_size, onto, points};
 use crate::cohort::Role;
@@ -32,14 +32,14 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Everything that a study finds.
+/// All findings of a study.
 #[derive(Debug, Clone)]
 pub struct Findings {
     /// The template, and the matches.
     pub matched: Matched,
-    /// One for each subject, in the order of the cohort.
+    /// Findings for each subject, in the order of the cohort.
     pub subjects: Vec<SubjectFindings>,
-    /// Subjects of the model, by their places.
+    /// Subjects of the model, as indices into the cohort.
     pub members: Vec<usize>,
     /// The frame of the model.
     pub alignment: Alignment,
@@ -47,15 +47,15 @@ pub struct Findings {
     pub mean: SurfaceMesh,
     /// The shape model.
     pub model: ShapeModel,
-    /// The statistics, if an effect or a contrast was asked for.
+    /// The statistics, if an effect or a contrast was requested.
     pub statistics: Option<Statistics>,
-    /// How consistent maps are.
+    /// Consistency of the maps.
     pub consistency: Option<Consistency>,
-    /// Labels of the template, and how well they carry over.
+    /// Labels of the template, and their transfer.
     pub labels: Option<LabelFindings>,
 }
 
-/// What became of a subject.
+/// Outcome of a subject.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Place {
@@ -71,28 +71,28 @@ pub enum Place {
     Failed,
 }
 
-/// What is found about one subject.
+/// Findings for one subject.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SubjectFindings {
-    /// What became of it.
+    /// Outcome.
     pub place: Place,
-    /// Of its surface and its match.
+    /// Facts on its surface and its match.
     pub facts: Facts,
-    /// What was decided.
+    /// Decision, if any.
     pub decision: Option<Decision>,
     /// Centroid size of its shape, mm.
     pub size_mm: f64,
     /// Scores, mm.
     pub scores: Vec<f64>,
-    /// Squared Mahalanobis distance, from the model of the others.
+    /// Squared Mahalanobis distance from the model of the other subjects.
     pub distance: Option<f64>,
     /// Share of subjects at least as unusual.
     pub unusual_p: Option<f64>,
-    /// What is to be looked at.
+    /// Reasons to look at the subject.
     pub flags: Vec<Flag>,
-    /// How urgent it is to be looked at; the largest first.
+    /// Urgency of looking at the subject; larger is more urgent.
     pub urgency: f64,
-    /// Area of each label on the surface, mm², and its volume, mm³, where it was a volume.
+    /// Area of each label on the surface, mm², and its volume, mm³, if the input was a volume.
     pub labels: BTreeMap<u32, (f64, Option<f64>)>,
 }
 
@@ -103,10 +103,10 @@ pub struct LabelFindings {
     pub labels: Vec<u32>,
     /// The label of each vertex of the template.
     pub of_vertex: Vec<Option<u32>>,
-    /// Whether they are the given template's own; otherwise the majority of the subjects.
+    /// Whether the labels are the given template's own; otherwise they are the majority of the subjects.
     pub of_template: bool,
-    /// For each subject with labels of its own and each label, Dice of the labels that were carried to it, voted by subjects of
-    /// the other half (or the template's own).
+    /// For each subject with labels of its own and each label, the Dice overlap with the labels transferred to it,
+    /// which subjects of the other half voted (or which are the template's own).
     pub dice: Vec<(usize, Vec<Option<f64>>)>,
 }
 
@@ -115,32 +115,32 @@ pub struct LabelFindings {
 pub struct Statistics {
     /// The design.
     pub design: Design,
-    /// Whether subjects have several visits: a mixed model, without permutations.
+    /// Whether subjects have several visits, which calls for a mixed model without permutations.
     pub longitudinal: bool,
     /// Degrees of freedom of the residuals.
     pub degrees: f64,
     /// Maps, by measure and contrast.
     pub maps: Vec<StatisticMap>,
-    /// Measures that are not meaningful here.
+    /// Measures that are not meaningful for these surfaces.
     pub left_out: Vec<Measure>,
     /// Effects in variables of whole subjects, by variable and contrast.
     pub whole: Vec<WholeEffect>,
-    /// Subjects that would be needed to find standardized effects at 80 % power, by contrast.
+    /// Subjects needed to find standardized effects at 80 % power, by contrast.
     pub planning: Vec<Planning>,
 }
 
 /// A map of a contrast.
 #[derive(Debug, Clone)]
 pub struct StatisticMap {
-    /// What was measured.
+    /// The measure.
     pub measure: Measure,
-    /// The contrast's place in the design.
+    /// Index of the contrast in the design.
     pub contrast: usize,
     /// The linear model, and its permutations; `None` for visits.
     pub linear: Option<(ContrastMap, PermutationMap)>,
     /// The mixed model of visits.
     pub mixed: Option<MixedMap>,
-    /// Least false discovery rate of each vertex.
+    /// Smallest false discovery rate at which each vertex is a discovery.
     pub q: Vec<f64>,
 }
 
@@ -154,7 +154,8 @@ impl StatisticMap {
         }
     }
 
-    /// The p-value that the report shows: of enhanced clusters over all vertices, or for visits the false discovery rate.
+    /// The p-value shown in the report: corrected over all vertices by enhanced clusters, or for visits the false
+    /// discovery rate.
     pub fn p_corrected(&self) -> &[f64] {
         self.linear.as_ref().map_or(&self.q, |(_, permuted)| &permuted.p_tfce)
     }
@@ -171,18 +172,18 @@ pub struct WholeEffect {
     pub effect: Effect,
 }
 
-/// Subjects that a further study needs.
+/// Number of subjects needed in a further study.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Planning {
     /// The contrast.
     pub contrast: String,
     /// The standardized effect.
     pub d: f64,
-    /// Subjects, in the proportions of this study; `None`: more than 100,000.
+    /// Number of subjects, in the proportions of this study; `None` for more than 100,000.
     pub subjects: Option<usize>,
 }
 
-/// Everything that a study finds from its matches.
+/// Computes all findings of a study from its matches.
 ///
 /// # Errors
 /// [`StudyError`].
@@ -300,7 +301,7 @@ pub(crate) fn moved(
     Ok(own.iter().map(|p| transform.apply(p)).collect())
 }
 
-/// A subject's label volume and those labels of it that belong to the structure, ascending; `None` for a surface.
+/// A subject's label volume and its labels that belong to the structure, ascending; `None` for a surface.
 pub(crate) fn volume_of(
     study: &Study,
     folder: &Folder,
@@ -338,7 +339,7 @@ fn labels(
     let mesh = &matched.making.template.mesh;
     let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
     let shape = |k: usize| -> Result<Vec<Point3<f64>>, StudyError> {
-        // The labels are in the file.
+        // The labels are in the subject's file.
         let own = folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default();
         Ok(crate::sides::in_file(own, study.is_mirrored(k)))
     };
@@ -380,7 +381,8 @@ fn labels(
             (labels.into_iter().collect(), voted(members.map(|(_, _, vote)| vote.as_slice()), n))
         }
     };
-    // Every other subject votes for those between, so that no subject's labels are carried back to it.
+    // Each half of the subjects, taken alternately, votes for the other, so that no subject's labels are transferred
+    // back to it.
     let half = |which: usize| {
         let some = votes.iter().enumerate().filter(|(row, _)| row % 2 == which);
         voted(some.map(|(_, (_, _, vote))| vote.as_slice()), n)

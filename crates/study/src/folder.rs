@@ -1,4 +1,4 @@
-//! The folder of a study: records of matches, the template that is kept, decisions, and files that are written as a whole.
+//! The folder of a study: records of matches, the kept template, decisions, and files that are written as a whole.
 //!
 //! It is on disk or in memory ([`crate::place`]).
 
@@ -19,40 +19,40 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::AtomicU64;
 
-/// The parts of a folder; the first is the folder itself.
+/// Subfolders; the first is the folder itself.
 const PARTS: [&str; 7] = ["", "matches", "template", "modes", "maps", "subjects", "labels"];
 
 /// A study's folder.
 #[derive(Debug)]
 pub struct Folder {
     place: Place,
-    /// Keys of records that were read whole and are sound.
+    /// Keys of records that were read completely and are intact.
     sound: Mutex<BTreeSet<String>>,
 }
 
-/// The template that is kept, beside its surface.
+/// The kept template, apart from its surface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Kept {
-    /// What was asked for when it was made; another template is made for anything else.
+    /// Settings it was made for; other settings require another template.
     pub asked: String,
     /// Hash of the template's file.
     pub hash: String,
-    /// Ids of the subjects that it was made from.
+    /// Ids of the subjects it was made from.
     pub from: Vec<String>,
-    /// Ids of the subjects among which consistency is measured.
+    /// Ids of the subjects used to measure consistency.
     pub ring: Vec<String>,
     /// The rounds that made it.
     pub rounds: Vec<Round>,
 }
 
-/// What a person decided about a subject.
+/// A person's decision on a subject.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Decision {
     /// The subject.
     pub id: String,
-    /// Whether it stays in the model and the statistics.
+    /// Whether the subject stays in the model and the statistics.
     pub decision: Verdict,
-    /// Why.
+    /// Reason.
     pub reason: String,
 }
 
@@ -60,9 +60,9 @@ pub struct Decision {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// It stays, whatever its match looks like.
+    /// The subject stays, regardless of its match.
     Kept,
-    /// It is left out.
+    /// The subject is left out.
     Dropped,
 }
 
@@ -72,7 +72,7 @@ pub(crate) fn failed(what: &'static str, path: &Path) -> impl FnOnce(io::Error) 
 }
 
 impl Folder {
-    /// The folder, which is created if it does not exist.
+    /// Opens the folder, creating it if it does not exist.
     ///
     /// # Errors
     /// [`StudyError::File`] if it cannot be written.
@@ -86,12 +86,12 @@ impl Folder {
         Ok(Folder { place, sound: Mutex::default() })
     }
 
-    /// A folder in memory that has these files already, by name, over subjects whose files are elsewhere.
+    /// A folder in memory with these files, by name, for subjects whose files are elsewhere.
     pub fn in_memory(files: BTreeMap<String, Vec<u8>>, inputs: Box<dyn Inputs>) -> Self {
         Folder { place: Place::Memory(Mutex::new(files), inputs), sound: Mutex::default() }
     }
 
-    /// The files of a folder in memory, by name; of one on disk nothing.
+    /// The files of a folder in memory, by name; empty for a folder on disk.
     pub fn into_files(self) -> BTreeMap<String, Vec<u8>> {
         match self.place {
             Place::Disk(..) => BTreeMap::new(),
@@ -115,7 +115,7 @@ impl Folder {
         self.place.input_hash(file).map_err(failed("read", file))
     }
 
-    /// Writes a file of the folder as a whole, and the folders above it.
+    /// Writes a file of the folder as a whole, creating its parent folders.
     ///
     /// # Errors
     /// [`StudyError::File`].
@@ -139,7 +139,7 @@ impl Folder {
         self.write(&record_name(key), &record.to_bytes())
     }
 
-    /// The template that is kept, if it was made for what is asked.
+    /// The kept template, if it was made for these settings.
     ///
     /// # Errors
     /// [`StudyError::Damaged`]; [`StudyError::File`].
@@ -162,7 +162,7 @@ impl Folder {
         Ok(Some((kept.clone(), Template { mesh, hash: kept.hash, ply })))
     }
 
-    /// Keeps a template: first the surface, then what names it.
+    /// Stores a template: first the surface, then the file that names it.
     ///
     /// # Errors
     /// [`StudyError::File`].
@@ -187,7 +187,7 @@ pub fn record_name(key: &str) -> String {
     format!("matches/{key}.match")
 }
 
-/// JSON for people, with a line end.
+/// Formatted JSON with a final line end.
 pub(crate) fn json(value: &impl Serialize) -> Vec<u8> {
     let mut text = serde_json::to_vec_pretty(value).unwrap_or_default();
     text.push(b'\n');
@@ -206,8 +206,8 @@ impl Records for Folder {
         }
     }
 
-    /// Whether a sound record is there. One that is damaged, as by a full disk or a torn write below the file system, is
-    /// removed and computed again.
+    /// Whether an intact record exists. A damaged record, for example after a full disk or a torn write, is removed and
+    /// computed again.
     fn has(&self, key: &str) -> bool {
         let mut sound = self.sound.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if sound.contains(key) {
@@ -227,7 +227,7 @@ impl Records for Folder {
 /// Shapes of records.
 pub(crate) struct RecordedShapes<'a> {
     folder: &'a Folder,
-    /// The key of each, and its id.
+    /// Key and id of each record.
     keys: Vec<(String, String)>,
     n_vertices: usize,
 }
@@ -256,7 +256,7 @@ impl Shapes for RecordedShapes<'_> {
 /// Decisions from CSV: `id`, `decision` (`kept` or `dropped`) and `reason`.
 ///
 /// # Errors
-/// What is wrong, with its line.
+/// The fault, with its line.
 pub fn read_decisions(text: &[u8], ids: &BTreeSet<&str>) -> Result<Vec<Decision>, String> {
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
     let mut decisions: Vec<Decision> = Vec::new();
@@ -278,7 +278,7 @@ pub fn read_decisions(text: &[u8], ids: &BTreeSet<&str>) -> Result<Vec<Decision>
     Ok(decisions)
 }
 
-/// The table of decisions as CSV, which [`read_decisions`] reads.
+/// The decisions as a CSV table, readable by [`read_decisions`].
 pub fn decisions_table(decisions: &[Decision]) -> String {
     let mut text = "id,decision,reason\n".to_owned();
     for Decision { id, decision, reason } in decisions {
@@ -358,7 +358,7 @@ mod tests {
         let found = read("id,decision,reason\na,dropped,\"motion, see scan\"\n").unwrap();
         assert_eq!((found[0].decision, found[0].reason.as_str()), (Verdict::Dropped, "motion, see scan"));
         assert_eq!(read(&decisions_table(&found)).unwrap(), found);
-        // Reasons that a spreadsheet would compute are text there, and come back as they were.
+        // Reasons that a spreadsheet would compute are stored as text and read back unchanged.
         for reason in ["=HYPERLINK(\"//x\",\"y\")", "+1", "@SUM(A1)", "'=1", "-1"] {
             let made = [Decision { id: "b".to_owned(), decision: Verdict::Kept, reason: reason.to_owned() }];
             assert_eq!(decisions_table(&made).contains('\''), reason != "-1", "{reason}");

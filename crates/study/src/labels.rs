@@ -1,4 +1,5 @@
-//! Labels: from the label volumes of subjects to the vertices of the template, and from there to every subject.
+//! Transfer of labels: from the label volumes of subjects to the vertices of the template, and from there to every
+//! subject.
 
 use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
@@ -6,15 +7,15 @@ use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::{Point3, Vector4};
 use std::collections::BTreeMap;
 
-/// How far from a vertex its label is looked for, voxels along each axis. A smooth surface lies within one voxel of those it
-/// is made of.
+/// Range in which a vertex's label is searched, voxels along each axis. A smooth surface lies within one voxel of the
+/// voxels it was made from.
 const REACH: i64 = 3;
-/// Voxels or vertices between two looks at the observer: a few milliseconds.
+/// Voxels or vertices between two calls of the observer: a few milliseconds.
 const AT_ONCE: usize = 4096;
 
-/// The label of the voxel nearest to a point, of those that have one of `labels`; `None` if none is near.
+/// The label of the voxel nearest to a point, among voxels with one of `labels`; `None` if none is near.
 ///
-/// Of voxels equally near the first in the order of the volume counts.
+/// Ties go to the first voxel in the order of the volume.
 pub fn label_at(volume: &LabelVolume, labels: &[u32], point: &Point3<f64>) -> Option<u32> {
     let inverse = volume.affine().try_inverse()?;
     let at = inverse.transform_point(point);
@@ -57,7 +58,7 @@ pub fn labels_at(
     Ok(each)
 }
 
-/// The most frequent label of each vertex; of equally frequent ones the lowest. `None` where no subject has one.
+/// The most frequent label of each vertex; ties go to the lowest. `None` if no subject has a label there.
 pub fn voted<'a>(votes: impl Iterator<Item = &'a [Option<u32>]>, n_vertices: usize) -> Vec<Option<u32>> {
     let mut counts: Vec<BTreeMap<u32, u32>> = vec![BTreeMap::new(); n_vertices];
     for vote in votes {
@@ -73,8 +74,8 @@ pub fn voted<'a>(votes: impl Iterator<Item = &'a [Option<u32>]>, n_vertices: usi
     counts.into_iter().map(most).collect()
 }
 
-/// The volume with the labels of a surface: every voxel that has one of `labels` gets the label of the point of the surface
-/// nearest to it; other voxels get 0. `bent` is the template bent onto the subject, `of_vertex` its labels.
+/// The volume with the labels of a surface: every voxel with one of `labels` gets the label of the nearest point of the
+/// surface; other voxels get 0. `bent` is the template bent onto the subject, `of_vertex` its labels.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -100,7 +101,7 @@ pub fn carried(
         let (x, y, z) = (k % nx, k / nx % ny, k / (nx * ny));
         let place = volume.affine() * Vector4::new(x as f64, y as f64, z as f64, 1.0);
         let nearest = index.closest(&Point3::from(place.xyz()));
-        // The label that most of the triangle has there.
+        // The label with the largest share of the triangle at that point.
         let mut weights: BTreeMap<u32, f64> = BTreeMap::new();
         for (&corner, &weight) in nearest.triangle.iter().zip(&nearest.barycentric) {
             if let Some(label) = of_vertex[corner as usize] {
@@ -118,7 +119,8 @@ pub fn carried(
     each.collect()
 }
 
-/// Dice overlap of each of `labels` in two volumes of equal size: `2 |A ∩ B| / (|A| + |B|)`; `None` where neither has it.
+/// Dice overlap of each of `labels` in two volumes of equal size: `2 |A ∩ B| / (|A| + |B|)`; `None` if neither volume
+/// has the label.
 pub fn dice(a: &[u32], b: &[u32], labels: &[u32]) -> Vec<Option<f64>> {
     let of = |label: u32| {
         let (mut both, mut sum) = (0u64, 0u64);

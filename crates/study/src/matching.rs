@@ -1,4 +1,4 @@
-//! A study from its files to all its matches, on the threads of this process.
+//! Runs a study from its files to all its matches, on the threads of this process.
 
 use crate::cohort::Cohort;
 use crate::error::StudyError;
@@ -13,16 +13,16 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Memory for prepared surfaces, bytes: the template is prepared once.
+/// Memory for prepared surfaces, bytes; the template is prepared only once.
 const PREPARED_BYTES: u64 = 256 << 20;
 
-/// Told how a study goes on, from one thread at a time, and may interrupt it.
+/// Receives the progress of a study, from one thread at a time, and may interrupt it.
 pub trait Watcher: Sync {
-    /// What is being done, and how much of it is.
+    /// The current activity, and its progress.
     fn progress(&self, what: &str, done: usize, of: usize) {
         let _ = (what, done, of);
     }
-    /// Whether to stop. What is finished is kept.
+    /// Whether to stop. Finished results are kept.
     fn is_interrupted(&self) -> bool {
         false
     }
@@ -42,10 +42,10 @@ fn name(path: &Path) -> Option<&str> {
 }
 
 impl Study {
-    /// A study over files: hashes every subject, and takes the given template, or the surface from which one is made, or
-    /// the template that the folder keeps.
+    /// A study over files. Hashes every subject, and takes the given template, or the surface from which a template is
+    /// made, or the template kept in the folder.
     ///
-    /// `hashes`: what an earlier `study.json` says of the files; empty: nothing.
+    /// `hashes`: hashes of the files in an earlier `study.json`; empty if there is none.
     ///
     /// # Errors
     /// [`StudyError`]; [`StudyError::Interrupted`] if the watcher asked to stop.
@@ -106,8 +106,8 @@ impl Study {
         Ok(Study { cohort, settings, hashes: found, first, kept: making, makers, ring })
     }
 
-    /// Computes every match that is missing, on `threads` threads, and keeps each when it is finished. Returns when all are
-    /// there.
+    /// Computes every missing match on `threads` threads, and stores each when it is finished. Returns when all matches
+    /// exist.
     ///
     /// # Errors
     /// [`StudyError`]; [`StudyError::Interrupted`] if the watcher asked to stop.
@@ -140,11 +140,11 @@ impl Study {
         }
     }
 
-    /// What is to be done next, from the records that are there. Once a template is made it is kept, so that a subject that is
-    /// added later costs one match.
+    /// The next step, given the existing records. A finished template is stored, so that a subject added later costs
+    /// one match.
     ///
     /// # Errors
-    /// Those of [`Study::next`], and [`StudyError::File`].
+    /// Errors of [`Study::next`], and [`StudyError::File`].
     pub fn advance(&mut self, folder: &Folder, watcher: &dyn Watcher) -> Result<Step, StudyError> {
         let observer = Interruption(watcher);
         let step = self.next(folder, &observer)?;
@@ -214,7 +214,7 @@ impl Study {
     }
 }
 
-/// What a kept template depends on besides the files of its subjects.
+/// Settings on which a kept template depends, besides the files of its subjects.
 fn asked(settings: &Settings) -> String {
     let mut template = settings.template.clone();
     if let TemplateChoice::Made(how) = &mut template {
@@ -228,8 +228,8 @@ fn asked(settings: &Settings) -> String {
     hash(text.as_bytes())
 }
 
-/// The surface from which a template is made: that of the subject asked for, or the one of median volume (of open surfaces,
-/// median area) among those that it is made from. Mirrored if it lies on the other side.
+/// The surface from which a template is made: that of the requested subject, or the one of median volume (for open
+/// surfaces, median area) among the subjects it is made from. Mirrored if it lies on the other side.
 fn start_surface(
     (cohort, side): (&Cohort, Option<homolog_contract::input::BodySide>),
     parameters: &homolog_contract::parameters::MatchParameters,
@@ -272,8 +272,8 @@ fn start_surface(
     found.ok_or(StudyError::Start { what: "any subject".to_owned(), why: reason })
 }
 
-/// Does every task, each on one thread of its own pool. Matches must not share a pool: a thread that waits for a part of one
-/// match would take up another, and hold what the first needs.
+/// Runs every task on one thread of its own pool. Matches must not share a pool: a thread that waits for a part of one
+/// match would start another one, and hold resources that the first needs.
 fn each(
     tasks: &[Task],
     threads: usize,

@@ -1,17 +1,17 @@
-//! What is measured at each vertex of a subject, in the frame of the mean.
+//! Measures at each vertex of a subject, in the frame of the mean.
 
 use crate::align::vertex_areas;
 use crate::settings::Measure;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 
-/// Steps of a ball that shrinks; it rarely needs more than eight.
+/// Largest number of steps of a shrinking ball; it rarely needs more than eight.
 const MAX_STEPS: usize = 40;
-/// A ball that shrinks by less than this share of its radius touches.
+/// Relative decrease of the radius below which a shrinking ball touches.
 const TOUCHES: f64 = 0.01;
 
-/// One measure at each vertex of a subject: `subject` has the vertices of `mean` and was moved onto it. `None` if it is not
-/// meaningful: thickness of a surface that is not closed.
+/// One measure at each vertex of a subject: `subject` has the vertices of `mean` and was moved onto it. `None` if the
+/// measure is not meaningful, such as the thickness of a surface that is not closed.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -30,7 +30,7 @@ pub fn measured(
         }
         Measure::LogArea => {
             let (own, mean) = (vertex_areas(subject), vertex_areas(mean));
-            // A vertex that a map folded away has no area; a thousandth bounds what it weighs.
+            // A vertex folded away by a map has no area; a lower bound of a thousandth limits its weight.
             Some(own.iter().zip(&mean).map(|(own, mean)| (own / mean).max(1e-3).ln()).collect())
         }
         Measure::Thickness if subject.boundary_vertices().is_some() => None,
@@ -38,12 +38,13 @@ pub fn measured(
     })
 }
 
-/// The radius of the largest ball inside a closed surface that touches it at each vertex, mm: the distance to the medial axis
-/// along the normal.
+/// The radius of the largest ball inside a closed surface that touches it at each vertex, mm: the distance to the
+/// medial axis along the normal.
 ///
-/// A ball that touches at the vertex and is too large is cut by the surface nearest to its center; the ball through that point
-/// is smaller, and so on, to a hundredth. It begins with half the diagonal. Bumps beside the vertex do not count: the two points
-/// where the ball touches are at least 60 degrees apart as seen from its center.
+/// A ball that touches at the vertex and is too large is cut by the surface nearest to its center. The ball through
+/// that point is smaller; this is repeated to a precision of a hundredth, starting with half the diagonal. Bumps beside
+/// the vertex do not count: the two points where the ball touches are at least 60 degrees apart as seen from its
+/// center.
 ///
 /// Source: Ma, Bae, Choi, *3D medial axis point approximation using nearest neighbors and the normal field*, Visual Computer
 /// 28, 2012.
@@ -63,13 +64,13 @@ pub fn thickness(mesh: &SurfaceMesh, observer: &dyn Observer) -> Result<Vec<f64>
             if (nearest.point - center).norm() >= radius * (1.0 - TOUCHES) {
                 break;
             }
-            // Vertices lie on the surface that was sampled; between them flat triangles cut off what curves.
+            // Vertices lie on the sampled surface; between them flat triangles cut off its curvature.
             let corners = nearest.triangle.iter().filter(|&&corner| corner as usize != v);
             let through = corners.filter_map(|&corner| {
                 let to = mesh.vertices()[corner as usize] - p;
                 let depth = -2.0 * normal.dot(&to);
-                // A point seen from the center at less than 60 degrees from the vertex is a bump beside it, or an error of
-                // its normal, and not the other side.
+                // A point less than 60 degrees from the vertex, seen from the center, is a bump beside it or an error
+                // of its normal, not the other side.
                 (depth > 0.0 && to.norm() * depth >= to.norm_squared()).then(|| to.norm_squared() / depth)
             });
             let smaller = through.fold(f64::INFINITY, f64::min);

@@ -1,54 +1,55 @@
-//! What a study in memory takes, from what each part of it allocates.
+//! Memory of a study, computed from the allocations of each part.
 //!
-//! One place states the arrays: those who plan a study ask it before a match is made, and a test holds it above what an allocator
-//! counts (`tests/memory.rs`). `n` subjects, `v` vertices and `f` faces of the template, `t` threads.
+//! This is the only place that lists the arrays: planners of a study query it before a match is made, and a test checks
+//! that it exceeds the count of an allocator (`tests/memory.rs`). `n` subjects, `v` vertices and `f` faces of the
+//! template, `t` threads.
 
 use crate::settings::{Analysis, Measure};
 use homolog_contract::study::StudySize;
 
-/// Vertices of a block of [`crate::model::gram`].
+/// Vertices per block of [`crate::model::gram`].
 const BLOCK: u64 = 512;
-/// Most modes that are kept.
+/// Largest number of kept modes.
 const MODES: u64 = 60;
-/// Shapes that [`crate::align::align`] has in memory at a time.
+/// Shapes that [`crate::align::align`] holds in memory at a time.
 const ALIGNED: u64 = 32;
 /// Tasks of [`crate::statistics::permutation::test`] whose counts are in memory at a time.
 const TASKS: u64 = 32;
-/// Surfaces of modes, of the mean and of the template that are written; modes and subjects with a picture.
+/// Written surfaces (modes, mean and template); number of modes and subjects with a picture.
 const WRITTEN_SURFACES: u64 = 12;
 const SHOWN_MODES: u64 = 6;
 const PICTURES: u64 = 12;
-/// Vertices of all pictures together.
+/// Total vertices of all pictures.
 const PICTURE_VERTICES: u64 = 120_000;
 /// Copies of the page while it is written: its parts, its data as JSON, escaped, the page, and the file.
 const PAGE_COPIES: u64 = 6;
-/// What is said of a subject besides its points, bytes: names, facts, findings, rows of tables.
+/// Memory of a subject besides its points, bytes: names, facts, findings, rows of tables.
 const SUBJECT: u64 = 16 << 10;
-/// What is written of a map besides its values, bytes: the heads of its arrays in two files.
+/// Memory of a map besides its values, bytes: the heads of its arrays in two files.
 const MAP: u64 = 16 << 10;
-/// A cell of the table of subjects with all its copies, bytes: as text in maps and in columns, and as value.
+/// Memory of a cell of the subject table with all its copies, bytes: as text in maps and in columns, and as value.
 const CELL: u64 = 512;
 /// Scratch of compressors and of decompositions on each thread, bytes.
 const SCRATCH: u64 = 2 << 20;
-/// A label volume for each byte of its file: labels compress well, and are four bytes each.
+/// Memory of a label volume per byte of its file: labels compress well and take four bytes each.
 const VOLUME: u64 = 64;
 
-/// Measures that are tested.
+/// Number of tested measures.
 pub fn measures(size: &StudySize) -> u64 {
     size.measures.unwrap_or(Measure::ALL.len() as u64)
 }
 
-/// Permutations of each test.
+/// Number of permutations of each test.
 pub fn permutations(size: &StudySize) -> u64 {
     size.permutations.unwrap_or_else(|| Analysis::default().permutations as u64)
 }
 
-/// Values of t that permutation tests compute: permutations × vertices × measures × contrasts.
+/// Number of t values computed by permutation tests: permutations × vertices × measures × contrasts.
 pub fn tests(size: &StudySize) -> u64 {
     [permutations(size), size.vertices, measures(size), size.contrasts].into_iter().fold(1, u64::saturating_mul)
 }
 
-/// Most bytes that a step of the study allocates on `threads` threads, without what the process has anyway.
+/// Upper bound of the memory allocated by a step of the study on `threads` threads, bytes, excluding the process's own.
 pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let StudySize { subjects: n, vertices: v, faces: f, .. } = *size;
     let t = (threads as u64).max(1);
@@ -60,25 +61,27 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let surface = 24 * v + 12 * f;
     // As VTK, in double precision with corners of 8 bytes, and as GIFTI, compressed and in base64.
     let written = (24 * v + 32 * f) + (16 * v + 17 * f);
-    // Of each array: 8 bytes, and 4 in base64.
+    // Per array value: 8 bytes, and 4 in base64.
     let array = 14 * v;
 
-    // The records, as they were read and in the folder; those of the ring are four matches each.
+    // The records, as read and in the folder; those of the ring are four matches each.
     let records = times(&[2, sum(&[n, times(&[4, size.ring])]), 12 * v + 1024]);
     let table = sum(&[times(&[n, SUBJECT]), times(&[size.cells, CELL])]);
-    // The template as it was read, as it is matched, written, and in what is found; the mean; weights, areas, normals, the graph.
+    // The template as read, as matched, as written, and in the findings; the mean; weights, areas, normals, the graph.
     let surfaces = times(&[12, surface]) + 300 * v;
-    // A record and its points on each thread, the surface bent onto a subject, and what finds closest points on it.
+    // Per thread: a record and its points, the surface bent onto a subject, and its index of closest points.
     let of_threads = times(&[t, SCRATCH + 120 * v + 3 * surface + 160 * f + times(&[6, volume_bytes(size)])]);
     let held = sum(&[records, table, surfaces, of_threads]);
 
     let aligned = times(&[ALIGNED.min(n), 60 * v]);
-    // A block twice; the matrix of inner products, its parts, its components, and those without some subjects on each thread.
+    // A block twice; the matrix of inner products, its parts and components, and on each thread those without some
+    // subjects.
     let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[8, n, n, 6 + 8 * t])]);
     let of_modes = times(&[modes, 24 * v]);
     let model = sum(&[aligned, gram, of_modes]);
 
-    // Values by subject and by vertex, then those and the residuals; results of a contrast; counts, and scratch of each thread.
+    // Values by subject and by vertex, then these and the residuals; results of a contrast; counts, and scratch of each
+    // thread.
     let values = times(&[16, n, v]);
     let test = sum(&[240 * v, times(&[TASKS, 4 * v]), times(&[t, 80 * v]), times(&[48, permutations(size)])]);
     let kept = times(&[maps, 96 * v]);

@@ -1,10 +1,10 @@
-//! The shape model of a group: principal components of aligned shapes, and how good a model they are.
+//! The shape model of a group: principal components of aligned shapes, and measures of the model's quality.
 //!
-//! With `n` subjects and many more coordinates, the components follow from the `n × n` matrix of inner products (Gram matrix)
-//! of the centered shapes: its eigenvectors, times the shapes, are the modes. The matrix is summed over blocks of vertices,
-//! so that no more than a block of all subjects is in memory; modes are summed over subjects. Leaving a subject out only
-//! removes a row and a column, so that everything that is validated by leaving out needs the matrix alone. Singular values
-//! below about 1e-8 of the largest are lost, which is below the precision of any surface.
+//! With `n` subjects and many more coordinates, the components follow from the `n × n` matrix of inner products (Gram
+//! matrix) of the centered shapes: its eigenvectors times the shapes are the modes. The matrix is summed over blocks of
+//! vertices, so that only one block of all subjects is in memory; modes are summed over subjects. Leaving a subject out
+//! removes a row and a column, so every leave-one-out validation needs the matrix alone. Singular values below about
+//! 1e-8 of the largest are lost, which is below the precision of any surface.
 //!
 //! Sources: Cootes et al., *Active shape models*, 1995; Turk, Pentland 1991 (the small matrix); Davies 2002, Styner et al.
 //! 2003 (compactness, generalization, specificity); Tipping, Bishop 1999 (the distance outside the modes).
@@ -21,19 +21,19 @@ use rand_xoshiro::rand_core::SeedableRng;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// Vertices of a block: 10,000 subjects take 123 MB.
+/// Vertices per block: 10,000 subjects take 123 MB.
 const BLOCK: usize = 512;
-/// Rows of the Gram matrix that one task computes.
+/// Rows of the Gram matrix per task.
 const ROWS: usize = 64;
-/// Up to this many subjects each is left out alone; of more, a twentieth at a time.
+/// Number of subjects up to which each is left out alone; above it, a twentieth is left out at a time.
 const LEAVE_ONE_OUT: usize = 200;
 const FOLDS: usize = 20;
-/// Random shapes for specificity.
+/// Number of random shapes for specificity.
 const RANDOM_SHAPES: usize = 1000;
-/// Share of the variance that the modes which are kept explain.
+/// Share of the variance explained by the kept modes.
 const KEPT_VARIANCE: f64 = 0.98;
 const MAX_MODES: usize = 60;
-/// Share of the variance of the modes whose scores are weighed one by one in a distance.
+/// Share of the variance of the modes whose scores a distance weighs individually.
 const DISTANCE_VARIANCE: f64 = 0.9;
 
 /// Principal components of a group of aligned shapes, in the metric of [`crate::align`].
@@ -41,33 +41,33 @@ const DISTANCE_VARIANCE: f64 = 0.9;
 pub struct ShapeModel {
     /// Variance of each component, mm², descending; all `n − 1`.
     pub variances: Vec<f64>,
-    /// The first modes: a displacement of each vertex, orthonormal in the metric, no unit.
+    /// The first modes: a displacement of each vertex, orthonormal in the metric, dimensionless.
     pub modes: Vec<Vec<Vector3<f64>>>,
     /// Score of each subject on each component, mm, by subject.
     pub scores: Vec<Vec<f64>>,
-    /// How good a model it is.
+    /// Quality of the model.
     pub quality: ModelQuality,
-    /// For each subject, how unusual its shape is to a model of the others: squared Mahalanobis distance.
+    /// Squared Mahalanobis distance of each subject from the model of the others: how unusual its shape is.
     pub left_out: Vec<f64>,
-    /// Components that the distance weighs one by one.
+    /// Number of components that the distance weighs individually.
     pub distance_modes: usize,
 }
 
-/// How good a model is with 1, 2, … modes.
+/// Quality of a model with 1, 2, … modes.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct ModelQuality {
-    /// Share of the variance that the modes explain.
+    /// Share of the variance explained by the modes.
     pub compactness: Vec<f64>,
-    /// Distance of a subject from the nearest shape of a model of the others, RMS, mm, mean over subjects.
+    /// RMS distance of a subject from the nearest shape of a model of the others, mm, mean over subjects.
     pub generalization_mm: Vec<f64>,
-    /// Distance of a random shape of the model from the nearest subject, RMS, mm, mean of 1,000.
+    /// RMS distance of a random shape of the model from the nearest subject, mm, mean of 1,000.
     pub specificity_mm: Vec<f64>,
 }
 
 /// Inner products of the shapes about the mean, mm².
 ///
 /// # Errors
-/// Those of reading.
+/// Errors of reading.
 ///
 /// # Cost
 /// `O(n² V)`, and one read of every vertex.
@@ -89,7 +89,7 @@ pub fn gram(shapes: &dyn Shapes, alignment: &Alignment) -> Result<Mat<f64>, Stud
                 Ok((0..read.len()).flat_map(|k| <[f64; 3]>::from(at(k))).collect())
             })
             .collect::<Result<_, StudyError>>()?;
-        // A shape is a column, so that products run over contiguous numbers.
+        // A shape is a column, so products run over contiguous numbers.
         let block = Mat::from_fn(columns, n, |k, shape| rows[shape][k]);
         drop(rows);
         let parts: Vec<Mat<f64>> = (0..n)
@@ -119,7 +119,7 @@ fn components(gram: MatRef<'_, f64>, of: &[usize]) -> Result<(Vec<f64>, Mat<f64>
     let centered = Mat::from_fn(n, n, |i, j| gram[(of[i], of[j])] - mean[i] - mean[j] + whole);
     let found = centered.self_adjoint_eigen(Side::Lower).map_err(|_| StudyError::Decomposition("its Gram matrix"))?;
     let (values, vectors) = (found.S().column_vector(), found.U());
-    // Ascending in the decomposition; the last is that of the mean, which is 0.
+    // Eigenvalues are ascending; the last of the reversed list belongs to the mean and is 0.
     let values = (1..n).map(|k| values[n - k].max(0.0)).collect();
     let vectors = Mat::from_fn(n, n - 1, |i, k| vectors[(i, n - 1 - k)]);
     Ok((values, vectors))
@@ -128,7 +128,7 @@ fn components(gram: MatRef<'_, f64>, of: &[usize]) -> Result<(Vec<f64>, Mat<f64>
 /// Scores of subjects that are not part of a model, and their squared distance from its mean.
 struct LeftOut {
     variances: Vec<f64>,
-    /// Of each left-out subject: its place, its scores, its squared distance from the mean.
+    /// For each left-out subject: its index, its scores, its squared distance from the mean.
     subjects: Vec<(usize, Vec<f64>, f64)>,
 }
 
@@ -155,7 +155,7 @@ fn leave_out(gram: MatRef<'_, f64>, left: &[usize]) -> Result<LeftOut, StudyErro
     Ok(LeftOut { variances: values.iter().map(|value| value / (m - 1) as f64).collect(), subjects })
 }
 
-/// Number of components that explain a share of the variance.
+/// Number of components that explain a given share of the variance.
 fn explaining(variances: &[f64], share: f64) -> usize {
     let whole: f64 = variances.iter().sum();
     let mut sum = 0.0;
@@ -166,8 +166,8 @@ fn explaining(variances: &[f64], share: f64) -> usize {
     enough.map_or(variances.len(), |k| k + 1)
 }
 
-/// Squared Mahalanobis distance: scores over their variances, and what the first `modes` do not explain over the mean
-/// variance of the rest.
+/// Squared Mahalanobis distance: scores over their variances, plus the part unexplained by the first `modes` over the
+/// mean variance of the rest.
 fn distance(scores: &[f64], squared_norm: f64, variances: &[f64], modes: usize) -> f64 {
     let modes = modes.min(variances.len());
     let inside: f64 = (0..modes).filter(|&k| variances[k] > 0.0).map(|k| scores[k] * scores[k] / variances[k]).sum();
@@ -179,14 +179,14 @@ fn distance(scores: &[f64], squared_norm: f64, variances: &[f64], modes: usize) 
 }
 
 impl ShapeModel {
-    /// The model of aligned shapes. `seed`: of the random shapes of specificity.
+    /// The model of aligned shapes. `seed` determines the random shapes of specificity.
     ///
     /// # Errors
-    /// Those of reading; [`StudyError::Decomposition`]; [`StudyError::Interrupted`].
+    /// Errors of reading; [`StudyError::Decomposition`]; [`StudyError::Interrupted`].
     ///
     /// # Cost
-    /// That of [`gram`], `n` (at most 200; or 20) eigenvalue decompositions of an `n × n` matrix, and one read of all shapes for
-    /// the modes.
+    /// The cost of [`gram`], `n` (at most 200; above, 20) eigenvalue decompositions of an `n × n` matrix, and one read
+    /// of all shapes for the modes.
     pub fn new(
         shapes: &dyn Shapes,
         alignment: &Alignment,
@@ -196,7 +196,7 @@ impl ShapeModel {
         let shapes = &WatchedShapes { shapes, observer };
         let (n, gram) = (shapes.len(), gram(shapes, alignment)?);
         let (values, mut vectors) = components(gram.as_ref(), &(0..n).collect::<Vec<_>>())?;
-        // A mode and its opposite are the same; the subject that is furthest along it is on its positive side.
+        // The sign of a mode is arbitrary; the subject farthest along it is placed on its positive side.
         for k in 0..vectors.ncols() {
             let furthest =
                 (0..n).fold(0, |best, i| if vectors[(i, k)].abs() > vectors[(best, k)].abs() { i } else { best });
@@ -245,7 +245,7 @@ impl ShapeModel {
         mean.iter().zip(&self.modes[mode]).map(|(p, d)| p + length * d).collect()
     }
 
-    /// Scores of a shape that was moved onto the mean and is not part of the model, and its squared Mahalanobis distance.
+    /// Scores and squared Mahalanobis distance of a shape that was moved onto the mean and is not part of the model.
     pub fn score(&self, alignment: &Alignment, moved: &[Point3<f64>]) -> (Vec<f64>, f64) {
         let difference = |v: usize| moved[v] - alignment.mean[v];
         let each = |mode: &Vec<Vector3<f64>>| -> f64 {
@@ -257,14 +257,14 @@ impl ShapeModel {
         (scores, distance)
     }
 
-    /// Share of the subjects of the model whose shape is at least as unusual to a model of the others, the new one among
-    /// them: a p-value that needs no distribution.
+    /// Share of the subjects of the model, the new one included, whose shape is at least as unusual to a model of the
+    /// others: a p-value that needs no distribution.
     pub fn unusual(&self, distance: f64) -> f64 {
         let more = self.left_out.iter().filter(|&&other| other >= distance).count();
         (more + 1) as f64 / (self.left_out.len() + 1) as f64
     }
 
-    /// The same for a subject of the model, of which it is one.
+    /// The p-value of [`Self::unusual`] for a subject of the model.
     pub fn unusual_of(&self, subject: usize) -> f64 {
         let own = self.left_out[subject];
         self.left_out.iter().filter(|&&other| other >= own).count() as f64 / self.left_out.len() as f64
@@ -294,7 +294,7 @@ fn modes(
     Ok(modes)
 }
 
-/// Distance of random shapes from the nearest subject for 1, 2, … modes, RMS, mm. Distances need the scores alone.
+/// RMS distance of random shapes from the nearest subject for 1, 2, … modes, mm. Distances need only the scores.
 fn specificity(
     scores: &[Vec<f64>],
     variances: &[f64],

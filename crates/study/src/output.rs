@@ -1,4 +1,5 @@
-//! The folder of results: surfaces, maps, tables, the report, and `study.json`, from which the study is computed again.
+//! The folder of results: surfaces, maps, tables, the report, and `study.json`, from which the study can be computed
+//! again.
 
 use crate::cohort::{Cohort, Values};
 use crate::error::StudyError;
@@ -24,46 +25,46 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// Modes that are written as surfaces.
+/// Number of modes written as surfaces.
 const WRITTEN_MODES: usize = 5;
-/// Scores in the tables.
+/// Number of scores in the tables.
 const WRITTEN_SCORES: usize = 20;
 /// Standard deviations from the mean at which a mode is shown.
 pub(crate) const MODE_DEVIATIONS: f64 = 2.0;
 
-/// `study.json`: all that is needed to compute the study again, and its main figures.
+/// `study.json`: the information needed to compute the study again, and its main figures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyDocument {
     /// Version of this document.
     pub format: u32,
     /// Version of homolog.
     pub version: String,
-    /// Commit that it was built from.
+    /// Commit of the build.
     pub commit: String,
-    /// Who.
+    /// The subjects and their covariates.
     pub cohort: Cohort,
     /// Hash (BLAKE3) of each subject's file.
     pub hashes: Vec<String>,
-    /// What was asked.
+    /// The settings.
     pub settings: Settings,
-    /// What was decided.
+    /// The decisions.
     pub decisions: Vec<Decision>,
     /// Hash of the template.
     pub template: String,
-    /// The rounds that made it.
+    /// The rounds in which it was made.
     pub rounds: Vec<Round>,
-    /// Main figures; not read again.
+    /// Main figures; written only.
     #[serde(default)]
     pub found: serde_json::Value,
 }
 
-/// The version of [`StudyDocument`] that this program writes and reads.
+/// The version of [`StudyDocument`] that this program reads and writes.
 pub const FORMAT: u32 = 1;
 
-/// What the study document of a folder or a file says.
+/// The study document in a folder or a file.
 ///
 /// # Errors
-/// What is wrong with it, and what to do.
+/// The fault and its remedy.
 pub fn read_document(text: &[u8]) -> Result<StudyDocument, String> {
     let document: StudyDocument =
         serde_json::from_slice(text).map_err(|error| format!("it is no study.json of this program: {error}"))?;
@@ -73,10 +74,10 @@ pub fn read_document(text: &[u8]) -> Result<StudyDocument, String> {
     Ok(document)
 }
 
-/// Writes everything that was found. Files of earlier computations that are no longer true are removed.
+/// Writes all findings. Outdated files of earlier computations are removed.
 ///
 /// # Errors
-/// [`StudyError::File`], [`StudyError::Interrupted`], and those of reading records.
+/// [`StudyError::File`], [`StudyError::Interrupted`], and errors of reading records.
 pub fn write(
     study: &Study,
     found: &Findings,
@@ -133,11 +134,11 @@ pub fn write(
         rounds: found.matched.making.rounds.clone(),
         found: figures(found),
     };
-    // Last: where it is, everything is.
+    // Written last: its presence means that all files are complete.
     folder.write("study.json", &json(&document))
 }
 
-/// Files of the folders that are written anew.
+/// Files of the output folders that were written in this run.
 struct Written<'a> {
     folder: &'a Folder,
     names: BTreeSet<String>,
@@ -149,7 +150,7 @@ impl Written<'_> {
         self.folder.write(name, bytes)
     }
 
-    /// Removes what is in a folder and was not written.
+    /// Removes the files of a folder that were not written in this run.
     fn finish(&self, part: &str) {
         let names = self.names.iter().filter_map(|name| name.strip_prefix(part)?.strip_prefix('/')).map(str::to_owned);
         self.folder.keep_only(part, &names.collect());
@@ -295,7 +296,7 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
     columns
 }
 
-/// The name of a place in tables.
+/// The name of an outcome in tables.
 pub(crate) fn place_name(place: Place) -> &'static str {
     match place {
         Place::Model => "model",
@@ -391,7 +392,7 @@ fn effect_table(found: &Findings) -> String {
     text
 }
 
-/// Share of the surface where a corrected p is below 0.05.
+/// Share of the surface with a corrected p below 0.05.
 pub(crate) fn significant_share(p: &[f64], weights: &[f64]) -> f64 {
     // An empty sum is a negative zero.
     p.iter().zip(weights).filter(|(p, _)| **p < 0.05).map(|(_, weight)| weight).sum::<f64>() + 0.0

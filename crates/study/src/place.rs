@@ -1,6 +1,7 @@
-//! Where the files of a study are: in a folder on disk, or in memory, for a caller that keeps them elsewhere.
+//! Storage of a study's files: in a folder on disk, or in memory for a caller that stores them elsewhere.
 //!
-//! On disk everything is written beside its place and renamed, so that a process that is killed leaves whole files or none.
+//! On disk every file is written beside its final place and renamed, so that a killed process leaves complete files or
+//! none.
 
 use crate::plan::hash;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// The end of the names of files that are being written.
+/// Suffix of the names of unfinished files.
 const UNFINISHED: &str = ".study.tmp";
 
 /// The files of subjects of a study that is not on disk.
@@ -20,20 +21,20 @@ pub trait Inputs: Debug + Send + Sync {
     /// The content of a subject's file.
     ///
     /// # Errors
-    /// Those of where it is kept.
+    /// Errors of the underlying storage.
     fn read(&self, file: &Path) -> io::Result<Vec<u8>>;
 
-    /// The hash of that content, without reading it.
+    /// The hash of that content, without reading the content.
     ///
     /// # Errors
     /// [`io::ErrorKind::NotFound`] if there is no such file.
     fn hash(&self, file: &Path) -> io::Result<String>;
 }
 
-/// Where files are.
+/// Storage of files.
 #[derive(Debug)]
 pub(crate) enum Place {
-    /// In a folder; the number of files written makes the names of unfinished ones.
+    /// In a folder; the number of files written makes the names of unfinished ones unique.
     Disk(PathBuf, AtomicU64),
     /// In memory, by name.
     Memory(Mutex<BTreeMap<String, Vec<u8>>>, Box<dyn Inputs>),
@@ -74,13 +75,13 @@ impl Place {
             fs::rename(&unfinished, &path)
         })();
         if done.is_err() {
-            // The write has failed already; a leftover is swept later.
+            // The write has already failed; leftovers are removed later.
             let _ = fs::remove_file(&unfinished);
         }
         done
     }
 
-    /// A file; `None` if there is none.
+    /// The content of a file; `None` if it does not exist.
     pub(crate) fn read(&self, name: &str) -> io::Result<Option<Vec<u8>>> {
         match self {
             Place::Disk(folder, _) => match fs::read(folder.join(name)) {
@@ -111,22 +112,22 @@ impl Place {
         }
     }
 
-    /// Removes a file, if it can be.
+    /// Removes a file, if possible.
     pub(crate) fn remove(&self, name: &str) {
         match self {
-            // What cannot be removed is replaced, or does no harm.
+            // A file that cannot be removed is replaced later or harmless.
             Place::Disk(folder, _) => drop(fs::remove_file(folder.join(name))),
             Place::Memory(files, _) => drop(locked(files).remove(name)),
         }
     }
 
-    /// Removes the files of a part that are not among these names.
+    /// Removes the files of a subfolder except those with these names.
     pub(crate) fn keep_only(&self, part: &str, names: &BTreeSet<String>) {
         match self {
             Place::Disk(folder, _) => {
                 for entry in fs::read_dir(folder.join(part)).into_iter().flatten().flatten() {
                     if !names.contains(&*entry.file_name().to_string_lossy()) {
-                        // An old output that cannot be removed does no harm.
+                        // An old output that cannot be removed is harmless.
                         let _ = fs::remove_file(entry.path());
                     }
                 }
@@ -138,10 +139,10 @@ impl Place {
         }
     }
 
-    /// Removes what a killed process left unfinished in these parts.
+    /// Removes unfinished files of killed processes from these subfolders.
     ///
     /// # Errors
-    /// The part that cannot be read, and why.
+    /// The subfolder that cannot be read, and the reason.
     pub(crate) fn sweep(&self, parts: &[&str]) -> Result<(), (PathBuf, io::Error)> {
         let Place::Disk(folder, _) = self else { return Ok(()) };
         for part in parts {
@@ -151,7 +152,7 @@ impl Place {
             }
             for entry in fs::read_dir(&part).map_err(|error| (part.clone(), error))?.flatten() {
                 if entry.file_name().to_string_lossy().ends_with(UNFINISHED) {
-                    // One that is gone already is no fault.
+                    // A file that is already gone is not an error.
                     let _ = fs::remove_file(entry.path());
                 }
             }

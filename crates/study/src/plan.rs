@@ -1,9 +1,9 @@
-//! What is to be matched next: the steps of a study, as a pure function of the matches that are finished.
+//! The next matches of a study, as a pure function of the finished matches.
 //!
-//! [`Study::next`] replays the study from the start each time: which template, which round, which matches of it are there.
-//! So there is no state that could be lost: a study that was killed goes on from the records of its matches, and a caller may
-//! compute them in any order, on any machine, through any queue. Records are named by what they depend on
-//! ([`Task::key`]), so that nothing is computed twice.
+//! [`Study::next`] replays the study from the start each time: the template, the round, and the matches that exist. No
+//! state can therefore be lost: a killed study continues from the records of its matches, and a caller may compute them
+//! in any order, on any machine, through any queue. Records are named by their inputs ([`Task::key`]), so that nothing
+//! is computed twice.
 
 use crate::align::{WatchedShapes, align};
 use crate::average::{next_template, triangle_quality};
@@ -24,14 +24,14 @@ use std::collections::HashSet;
 pub struct Template {
     /// The surface, triangles, mm.
     pub mesh: SurfaceMesh,
-    /// The same as a PLY file, the source of every match.
+    /// The surface as a PLY file, the source of every match.
     pub ply: Vec<u8>,
     /// Hash of that file.
     pub hash: String,
 }
 
 impl Template {
-    /// A template of a surface: its triangles, without vertices that no face uses.
+    /// A template from a surface: its triangles, without unused vertices.
     pub fn new(mesh: &SurfaceMesh) -> Self {
         let mesh = repair::drop_unused(&repair::triangulated(mesh)).mesh;
         let ply = write_ply(&mesh);
@@ -39,29 +39,29 @@ impl Template {
     }
 }
 
-/// A template that was made, with how it came about; kept in the study's folder, so that a subject that is added later costs
-/// one match.
+/// A template with the history of its making; kept in the study's folder, so that a subject added later costs one
+/// match.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Making {
     /// The template.
     pub template: Template,
-    /// The rounds that made it.
+    /// The rounds in which it was made.
     pub rounds: Vec<Round>,
 }
 
 /// A round of matching and averaging.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Round {
-    /// Subjects whose shapes were averaged.
+    /// Number of subjects whose shapes were averaged.
     pub subjects: usize,
-    /// How far the mean lies from the template that it replaces, RMS over both surfaces, whatever their vertices, mm.
+    /// RMS distance of the mean from the template it replaces, over both surfaces, independent of their vertices, mm.
     pub moved_mm: f64,
-    /// That, as a share of the mean edge length.
+    /// This distance as a share of the mean edge length.
     pub moved_share: f64,
-    /// How far averaging moved vertices along the surface, RMS over the surface, mm.
+    /// RMS distance by which averaging moved vertices along the surface, over the surface, mm.
     #[serde(default)]
     pub slid_mm: f64,
-    /// Share of that which was taken back.
+    /// Share of that distance which was reversed.
     #[serde(default)]
     pub put_back: f64,
     /// Quality of the triangles of the next template, 1 for equilateral ones: mean, and lowest 5th percentile.
@@ -74,45 +74,45 @@ pub struct Round {
 /// A match that a study needs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Task {
-    /// Names the record: a hash of both files, the parameters and the version of the program, 64 hexadecimal digits.
+    /// Name of the record: a hash of both files, the parameters and the version of the program, 64 hexadecimal digits.
     pub key: String,
-    /// The subject whose surface moves; `None`: the template of the step.
+    /// The subject whose surface moves; `None` for the template of the step.
     pub source: Option<usize>,
-    /// The subject, or `None`: the template, that stays.
+    /// The subject that stays; `None` for the template.
     pub target: Option<usize>,
 }
 
-/// What a study does next.
+/// Next step of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Step {
-    /// These matches are missing; nothing else can go on before they are there.
+    /// These matches are missing; no other step is possible before they exist.
     Match {
-        /// What they are for.
+        /// Their purpose.
         purpose: Purpose,
         /// The template of the tasks.
         template: Box<Template>,
         /// The matches, in the order of the cohort.
         tasks: Vec<Task>,
-        /// Matches of this purpose that are there already.
+        /// Number of existing matches for this purpose.
         finished: usize,
     },
-    /// All matches are there.
+    /// All matches exist.
     Matched(Box<Matched>),
 }
 
-/// What matches are for.
+/// Purpose of matches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
     /// A round of the template, from 1.
     Template(usize),
-    /// Every subject with the template, and what measures consistency.
+    /// Every subject with the template, and the matches that measure consistency.
     Subjects,
 }
 
-/// A study all of whose matches are there.
+/// A study with all its matches.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Matched {
-    /// The template, and how it was made.
+    /// The template, and its making.
     pub making: Making,
     /// Key of the match of the template to each subject.
     pub keys: Vec<String>,
@@ -123,7 +123,7 @@ pub struct Matched {
 /// The matches that measure consistency.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Cycles {
-    /// Subjects, by their places in the cohort: a ring, each is followed by the next.
+    /// A ring of subjects, as indices into the cohort; each is followed by the next.
     pub ring: Vec<usize>,
     /// Key of the match of each of them to the template.
     pub to_template: Vec<String>,
@@ -133,33 +133,33 @@ pub struct Cycles {
     pub backward: Vec<String>,
 }
 
-/// Where records are kept.
+/// Storage of records.
 pub trait Records: Sync {
-    /// The record of a key, if it is there.
+    /// The record with a key, if it exists.
     ///
     /// # Errors
-    /// [`StudyError`] if it is there and cannot be read.
+    /// [`StudyError`] if it exists and cannot be read.
     fn get(&self, key: &str) -> Result<Option<Record>, StudyError>;
-    /// Whether a record is there.
+    /// Whether a record exists.
     fn has(&self, key: &str) -> bool;
 }
 
-/// A study: who, what is asked, and from which surface the template begins.
+/// A study: its subjects, its settings, and the first surface of the template.
 #[derive(Debug, Clone)]
 pub struct Study {
-    /// Who.
+    /// The subjects and their covariates.
     pub cohort: Cohort,
-    /// What is asked.
+    /// The settings.
     pub settings: Settings,
     /// Hash of each subject's file.
     pub hashes: Vec<String>,
-    /// The given template, or the surface from which one is made.
+    /// The given template, or the surface from which a template is made.
     pub first: Template,
-    /// The template that was made earlier and is kept.
+    /// The template that was made earlier and kept.
     pub kept: Option<Making>,
-    /// The subjects from which a template is made, by their places in the cohort.
+    /// The subjects from which a template is made, as indices into the cohort.
     pub makers: Vec<usize>,
-    /// The subjects among which consistency is measured; fewer than 3: it is not measured.
+    /// The subjects used to measure consistency; it is not measured with fewer than 3.
     pub ring: Vec<usize>,
 }
 
@@ -168,7 +168,7 @@ pub fn hash(bytes: &[u8]) -> String {
     blake3::hash(bytes).to_hex().to_string()
 }
 
-/// The subjects from which a template is made, by their places: at most `most`, spread evenly; 0: all.
+/// The subjects from which a template is made, as indices: at most `most`, spread evenly; 0 for all.
 pub fn spread(cohort: &Cohort, most: usize) -> Vec<usize> {
     let model: Vec<usize> = (0..cohort.subjects.len()).filter(|&k| cohort.subjects[k].role == Role::Model).collect();
     if most == 0 || model.len() <= most {
@@ -180,7 +180,7 @@ pub fn spread(cohort: &Cohort, most: usize) -> Vec<usize> {
 /// The surface of a file, as a template.
 ///
 /// # Errors
-/// Why it is refused, for people.
+/// The reason for its refusal, for people.
 pub fn surface(bytes: &[u8], name: Option<&str>, parameters: &MatchParameters) -> Result<Template, String> {
     let limits = IntakeLimits::default();
     let prepared = prepare_surface(bytes, name, &parameters.input.of_target(), &limits);
@@ -206,7 +206,7 @@ impl Study {
         Task { key: self.key([hash(source), hash(target)], self.mirrored(&task)), ..task }
     }
 
-    /// Which inputs of a match are mirrored: source, target.
+    /// Whether source and target of a match are mirrored.
     pub fn mirrored(&self, task: &Task) -> [bool; 2] {
         [task.source, task.target].map(|side| side.is_some_and(|k| self.is_mirrored(k)))
     }
@@ -218,10 +218,11 @@ impl Study {
         parameters
     }
 
-    /// What is to be done next, from the records that are there.
+    /// The next step, given the existing records.
     ///
     /// # Errors
-    /// [`StudyError::TooFewMatches`] if a template cannot be made; those of reading records; [`StudyError::Interrupted`].
+    /// [`StudyError::TooFewMatches`] if a template cannot be made; errors of reading records;
+    /// [`StudyError::Interrupted`].
     pub fn next(&self, records: &dyn Records, observer: &dyn Observer) -> Result<Step, StudyError> {
         let making = match (&self.settings.template, &self.kept) {
             (TemplateChoice::Given { .. }, _) => Making { template: self.first.clone(), rounds: Vec::new() },
@@ -246,7 +247,7 @@ impl Study {
         Ok(Step::Match { purpose: Purpose::Subjects, template, tasks, finished })
     }
 
-    /// The template that is made from the records that are there; `None` if matches are missing for it, or it is given.
+    /// The template made from the existing records; `None` if matches for it are missing, or if it is given.
     pub(crate) fn making(&self, records: &dyn Records, observer: &dyn Observer) -> Result<Option<Making>, StudyError> {
         match &self.settings.template {
             TemplateChoice::Given { .. } => Ok(None),
@@ -254,7 +255,7 @@ impl Study {
         }
     }
 
-    /// The template, or the matches that are missing for it.
+    /// The template, or the matches missing for it.
     fn make(
         &self,
         how: &MadeTemplate,
@@ -304,7 +305,7 @@ impl Study {
     }
 }
 
-/// The tasks, each once: subjects whose files are equal share a record.
+/// The tasks without duplicates: subjects with equal files share a record.
 fn distinct(mut tasks: Vec<Task>) -> Vec<Task> {
     let mut seen = HashSet::new();
     tasks.retain(|task| seen.insert(task.key.clone()));
@@ -312,7 +313,7 @@ fn distinct(mut tasks: Vec<Task>) -> Vec<Task> {
 }
 
 /// The next template: the mean of the shapes of a round, in the place of the template. Shapes whose match failed or is
-/// unreliable do not count.
+/// unreliable are excluded.
 fn averaged(
     template: &Template,
     tasks: &[Task],

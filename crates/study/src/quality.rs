@@ -1,4 +1,4 @@
-//! Quality control: which subjects are to be looked at, the most urgent first.
+//! Quality control: the subjects to look at, the most urgent first.
 
 use crate::findings::{Place, SubjectFindings};
 use serde::Serialize;
@@ -11,18 +11,18 @@ pub enum Flag {
     NoMatch,
     /// Its match is not reliable.
     UnreliableMatch,
-    /// The bent template lies further from its surface than from those of the others.
+    /// The bent template lies farther from its surface than from the surfaces of the others.
     UnusualResidual,
-    /// The map to it turns over more triangles than those to the others.
+    /// The map to it turns over more triangles than the maps to the others.
     UnusualFolds,
-    /// Its shape is unusual to a model of the others.
+    /// Its shape is unusual relative to a model of the others.
     UnusualShape,
     /// Its size is unusual.
     UnusualSize,
 }
 
 impl Flag {
-    /// For people.
+    /// Title for people.
     pub fn title(self) -> &'static str {
         match self {
             Flag::NoMatch => "no match",
@@ -40,8 +40,8 @@ const UNUSUAL: f64 = 3.5;
 /// Share of turned triangles below which no map is flagged.
 const FEW_FOLDS: f64 = 0.005;
 
-/// Deviations of values from their median, in units of their robust standard deviation (1.4826 times the median absolute
-/// deviation); 0 where all are equal.
+/// Deviations of values from their median, in units of their robust standard deviation (1.4826 times the median
+/// absolute deviation); 0 if all are equal.
 ///
 /// Source: Iglewicz, Hoaglin, *How to detect and handle outliers*, 1993, whose bound is 3.5.
 pub fn deviations(values: &[f64]) -> Vec<f64> {
@@ -52,12 +52,12 @@ pub fn deviations(values: &[f64]) -> Vec<f64> {
     };
     let middle = median(values.to_vec());
     let spread = 1.4826 * median(values.iter().map(|x| (x - middle).abs()).collect());
-    // Rounding is no spread.
+    // Rounding does not count as spread.
     let least = 1e-9 * middle.abs();
     values.iter().map(|x| if spread > least { (x - middle) / spread } else { 0.0 }).collect()
 }
 
-/// Flags every subject, and says how urgent it is.
+/// Flags every subject, and computes its urgency.
 pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
     let matched: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
     let of = |value: &dyn Fn(&SubjectFindings) -> f64| {
@@ -92,7 +92,7 @@ pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
     }
 }
 
-/// The places of subjects, the most urgent first; of equals the first of the cohort.
+/// The indices of subjects, the most urgent first; ties keep the order of the cohort.
 pub fn most_urgent_first(subjects: &[SubjectFindings]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..subjects.len()).collect();
     order.sort_by(|&a, &b| subjects[b].urgency.total_cmp(&subjects[a].urgency).then(a.cmp(&b)));

@@ -1,5 +1,5 @@
-//! What a study keeps of one match: where the vertices of the one surface lie on the other, and what tells whether to trust
-//! it. A record is a small binary file: the match itself, with its energies and timings, is not kept.
+//! The stored results of one match: positions of the vertices of one surface on the other, and evidence for its
+//! reliability. A record is a small binary file: the match itself, with its energies and timings, is not stored.
 
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::{WarpDirection, WarpSpace};
@@ -14,20 +14,20 @@ use serde::{Deserialize, Serialize};
 /// First bytes of a record.
 const MAGIC: &[u8; 8] = b"hmlgrec2";
 
-/// One match as a study keeps it.
+/// The stored results of one match.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    /// Of the surfaces and the match.
+    /// Facts on the surfaces and the match.
     pub facts: Facts,
-    /// For each vertex of the source the corresponding point on the target, in the target's coordinates, mm, mirrored in `x = 0` if
-    /// the target was mirrored; empty if the match failed.
+    /// For each vertex of the source the corresponding point on the target, in the target's coordinates, mm, mirrored
+    /// in `x = 0` if the target was mirrored; empty if the match failed.
     pub points: Vec<[f32; 3]>,
 }
 
 /// Scalars of one match.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Facts {
-    /// Why there is no match; without file names.
+    /// Reason why there is no match; without file names.
     pub error: Option<String>,
     /// Whether no reason was found to doubt the match; `None` for methods that do not judge.
     pub reliable: Option<bool>,
@@ -39,22 +39,22 @@ pub struct Facts {
     pub residual_mm: f64,
     /// Its 95th percentile, mm.
     pub residual_p95_mm: f64,
-    /// Share of triangles of the source that the map turns over, or leaves without area: beyond the rigid transform, their
-    /// normals turn by 90 degrees or more.
+    /// Share of triangles of the source that the map turns over, or leaves without area: beyond the rigid transform,
+    /// their normals rotate by 90 degrees or more.
     pub folded: f64,
     /// Median confidence of the correspondences.
     pub confidence: f64,
-    /// Volume enclosed by the target as it was read, mm³; `None` if it is not closed.
+    /// Volume enclosed by the target as read, mm³; `None` if it is not closed.
     pub volume_mm3: Option<f64>,
-    /// Area of the target as it was read, mm².
+    /// Area of the target as read, mm².
     pub area_mm2: f64,
-    /// Vertices of the target as it was read.
+    /// Vertices of the target as read.
     pub n_vertices: u32,
     /// Repairs of the target, a sentence each.
     pub repairs: Vec<String>,
 }
 
-/// Why bytes are no record.
+/// Reason why bytes are not a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("it is not a record of a match, or is damaged; delete it, and it is computed again")]
 pub struct NoRecord;
@@ -98,10 +98,10 @@ impl Record {
         Ok(Record { facts, points: read_points(points) })
     }
 
-    /// Where the points begin in the bytes of a record.
+    /// Offset of the points in a record, bytes.
     pub(crate) const POINTS_AT: u64 = 16;
 
-    /// The record of a match without an answer.
+    /// The record of a failed match.
     pub fn failed(error: String) -> Self {
         Record { facts: Facts { error: Some(error), ..Facts::default() }, points: Vec::new() }
     }
@@ -160,15 +160,15 @@ impl Record {
     }
 }
 
-/// Points from their bytes, 12 each.
+/// Points from their bytes, 12 bytes each.
 pub(crate) fn read_points(bytes: &[u8]) -> Vec<[f32; 3]> {
     let (numbers, _) = bytes.as_chunks::<4>();
     let (points, _) = numbers.as_chunks::<3>();
     points.iter().map(|point| point.map(f32::from_le_bytes)).collect()
 }
 
-/// Matches two files and keeps what a study needs. A refused input or a match without a registration is a record too, which
-/// says why: the study goes on without it.
+/// Matches two files and keeps the results that a study needs. A refused input or a match without a registration also
+/// gives a record, with the reason: the study continues without it.
 ///
 /// # Errors
 /// `None` if the observer cancelled the match.
@@ -188,16 +188,17 @@ pub fn compute(
     })
 }
 
-/// Share of the faces of `source` whose normal, moved by the transform, does not look the way of the bent face.
+/// Share of the faces of `source` whose normal, moved by the transform, does not point to the same side as the bent
+/// face.
 fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, matrix: &[[f64; 4]; 4]) -> f64 {
     let linear = Matrix3::from_fn(|r, c| matrix[r][c]);
-    // A transform that mirrors would change the sign of vector areas, but the faces of `bent` are reversed then.
+    // A mirroring transform would change the sign of vector areas, but the faces of `bent` are then reversed.
     let pairs = source.face_vector_areas().into_iter().zip(bent.face_vector_areas());
     let turned = pairs.filter(|(before, after)| (linear * before).dot(after) <= 0.0).count();
     turned as f64 / source.n_faces().max(1) as f64
 }
 
-/// Which vertices a face uses.
+/// The vertices used by faces.
 fn used_vertices(mesh: &SurfaceMesh) -> Vec<bool> {
     let mut used = vec![false; mesh.n_vertices()];
     mesh.indices().iter().for_each(|&v| used[v as usize] = true);
@@ -217,7 +218,7 @@ mod tests {
         let of =
             |points: &[nalgebra::Point3<f64>]| folded(&mesh, &mesh.with_vertices(points.to_vec()).unwrap(), &matrix);
         assert_eq!(of(&bent), 0.0);
-        // A vertex that is carried to the other side takes faces with it.
+        // A vertex that moves to the other side takes faces with it.
         bent[0] = -bent[0];
         assert!(of(&bent) > 0.0 && of(&bent) < 0.2);
     }

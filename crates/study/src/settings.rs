@@ -1,34 +1,34 @@
-//! What is asked of a study, besides its subjects; it is recorded in `study.json`.
+//! Settings of a study, apart from its subjects; they are recorded in `study.json`.
 
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::MatchParameters;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
-/// What is asked of a study.
+/// Settings of a study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Settings {
-    /// Where the template comes from.
+    /// Origin of the template.
     pub template: TemplateChoice,
-    /// On which side of the body the template lies, where subjects have sides; `None`: that of the subject from which it is made, or
-    /// of most subjects.
+    /// Side of the body of the template, if subjects have sides; `None` for the side of the subject from which it is
+    /// made, or of most subjects.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub template_side: Option<BodySide>,
     /// Whether differences in size are part of shape.
     pub size: Size,
     /// The statistics.
     pub analysis: Analysis,
-    /// Subjects among which the consistency of maps is measured; fewer than 3: it is not measured.
+    /// Number of subjects used to measure the consistency of maps; it is not measured with fewer than 3.
     pub cycle_subjects: usize,
-    /// Ids of these subjects; empty: chosen.
+    /// Ids of these subjects; empty for an automatic choice.
     #[serde(default)]
     pub cycle_ring: Vec<String>,
     /// Parameters of every match.
     pub parameters: MatchParameters,
 }
 
-/// Where the template comes from.
+/// Origin of the template.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum TemplateChoice {
@@ -41,20 +41,21 @@ pub enum TemplateChoice {
     Made(MadeTemplate),
 }
 
-/// How a template is made.
+/// Options of making a template.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MadeTemplate {
-    /// Id of the subject whose surface is the first template; `None`: the one of median volume.
+    /// Id of the subject whose surface is the first template; `None` for the subject of median volume.
     pub start: Option<String>,
-    /// Most subjects that the template is made from, spread evenly over the table; 0: all.
+    /// Largest number of subjects the template is made from, spread evenly over the table; 0 for all.
     pub subjects: usize,
-    /// Ids of these subjects; empty: chosen.
+    /// Ids of these subjects; empty for an automatic choice.
     #[serde(default)]
     pub from: Vec<String>,
-    /// Most rounds of matching and averaging.
+    /// Largest number of rounds of matching and averaging.
     pub max_rounds: usize,
-    /// The template is finished when a round moves its surface by less than this share of its mean edge length, RMS.
+    /// RMS movement of the surface in a round, as a share of its mean edge length, below which the template is
+    /// finished.
     pub tolerance: f64,
 }
 
@@ -80,14 +81,14 @@ pub enum Size {
 pub enum Measure {
     /// Displacement from the mean along the outward normal of the mean, mm.
     NormalDisplacement,
-    /// Logarithm of the area around the vertex over that of the mean.
+    /// Logarithm of the ratio of the area around the vertex to that of the mean.
     LogArea,
     /// Radius of the largest ball inside the surface that touches it at the vertex, mm.
     Thickness,
 }
 
 impl Measure {
-    /// All of them.
+    /// All measures.
     pub const ALL: [Measure; 3] = [Measure::NormalDisplacement, Measure::LogArea, Measure::Thickness];
 
     /// The name used in files and JSON.
@@ -113,18 +114,18 @@ impl Measure {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Analysis {
-    /// The covariate of interest: its difference between levels, or its slope, is tested. `None`: no statistics, unless
-    /// contrasts are given.
+    /// The covariate of interest: its difference between levels, or its slope, is tested. `None` for no statistics,
+    /// unless contrasts are given.
     pub effect: Option<String>,
-    /// Covariates that are adjusted for.
+    /// Covariates to adjust for.
     pub adjust: Vec<String>,
     /// Reference level of factors: `(covariate, level)`; otherwise the first in alphabetical order.
     pub reference: Vec<(String, String)>,
     /// Further contrasts: a name, and a sum of columns of the design such as `group:a - group:b`.
     pub contrasts: Vec<(String, String)>,
-    /// What is tested.
+    /// The tested measures.
     pub measures: Vec<Measure>,
-    /// Permutations of each test.
+    /// Number of permutations of each test.
     pub permutations: usize,
     /// Seed of the permutations and of the shapes that measure specificity.
     pub seed: u64,

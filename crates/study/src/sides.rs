@@ -1,7 +1,7 @@
 //! Left and right: subjects of the other side than the template are mirrored.
 //!
-//! A match of a mirrored subject is stated in the subject's own coordinates; its record has the points mirrored in `x = 0`, so
-//! that all shapes of a study have the hand of the template. What is written for a subject is mirrored back.
+//! A match of a mirrored subject is stated in the subject's own coordinates. Its record has the points mirrored in `x =
+//! 0`, so that all shapes of a study have the handedness of the template. Outputs for a subject are mirrored back.
 
 use crate::cohort::Cohort;
 use crate::error::StudyError;
@@ -13,12 +13,12 @@ use nalgebra::Point3;
 
 const IN_X: [[f64; 4]; 4] = [[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
-/// The side of the template, where subjects have sides: the one asked for, or that of the subject from which a template is made,
-/// or of most subjects of the model; left if both sides have as many.
+/// The side of the template, if subjects have sides: the requested side, or the side of the subject from which a
+/// template is made, or of most subjects of the model; left in a tie.
 ///
 /// # Errors
-/// [`StudyError::Settings`] if a given template has no side although subjects have; if a side is given and subjects have none;
-/// and if the parameters of matches mirror, which sides do here.
+/// [`StudyError::Settings`] in three cases: a given template has no side although subjects have; a side is given but
+/// subjects have none; the parameters of matches mirror, which sides control here.
 pub fn template_side(cohort: &Cohort, settings: &Settings) -> Result<Option<BodySide>, StudyError> {
     let input = &settings.parameters.input;
     if input.source.mirror || input.target.mirror {
@@ -57,10 +57,10 @@ impl Study {
     }
 }
 
-/// The mirror image in `x = 0`, faces outwards still.
+/// The mirror image in `x = 0`, with faces that still look outwards.
 ///
 /// # Errors
-/// Those of [`SurfaceMesh::moved`].
+/// Errors of [`SurfaceMesh::moved`].
 pub(crate) fn mirrored(mesh: &SurfaceMesh) -> Result<SurfaceMesh, MeshError> {
     mesh.moved(&IN_X)
 }
@@ -73,7 +73,7 @@ pub(crate) fn in_file(points: Vec<Point3<f64>>, is_mirrored: bool) -> Vec<Point3
 /// The template with the points of a record, in the coordinates of the subject's file.
 ///
 /// # Errors
-/// Those of [`SurfaceMesh::with_vertices`].
+/// Errors of [`SurfaceMesh::with_vertices`].
 pub(crate) fn bent(
     template: &SurfaceMesh,
     points: Vec<Point3<f64>>,

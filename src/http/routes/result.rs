@@ -134,7 +134,7 @@ pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
 
 /// Get the rigid transform
 ///
-/// It maps points of the source to points of the target, `p' = R p + t`, in millimetres, in the coordinates of the inputs.
+/// It maps points of the source to points of the target, `p' = R p + t`, in millimeters, in the coordinates of the inputs.
 ///
 /// Formats: JSON as in the result; plain text, four lines of four numbers (`numpy.loadtxt`); an ITK transform file (`tfm`);
 /// a FreeSurfer linear transform array (`lta`); a DICOM Spatial Registration (`dicom`). `tfm` and `lta` assume that the inputs

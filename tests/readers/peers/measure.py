@@ -1,4 +1,4 @@
-"""What a file holds, by each program of the field and by homolog: area and volume of a surface, or the voxels of each label.
+"""What a file holds, by each of the other programs and by homolog: area and volume of a surface, or the voxels of each label.
 
 A measure is a dict: {"area", "volume"} in mm² and mm³ (volume only of closed surfaces), or {"dims", "voxel_mm3", "counts"}.
 """
@@ -204,7 +204,7 @@ def with_program(name, path, kind):
 
 
 class Peers:
-    """The programs of the field, in a process that is started again where a file has ended it."""
+    """The other programs, in a process that is started again where a file has ended it."""
 
     def __init__(self):
         self.pool = None

@@ -1,4 +1,4 @@
-"""One surface and one label volume in every format, as the programs of the field write them, and their mutations.
+"""One surface and one label volume in every format, as other programs write them, and their mutations.
 
 A mutation is a function of bytes and a random generator; those that mean nothing by a format's grammar must leave the measure as
 it is, and those that contradict the file must be refused or be seen through.

@@ -18,7 +18,7 @@ async fn faults_in_json_point_to_their_field() {
         ("max_run_s", json!(-1), "/max_run_s"),
         ("use_cache", json!("no"), "/use_cache"),
         ("external_ref", json!(7), "/external_ref"),
-        ("colour", json!(1), "/colour"),
+        ("color", json!(1), "/color"),
     ] {
         let mut body = json!({"source": mesh, "target": mesh});
         body[member] = value;
@@ -53,7 +53,7 @@ async fn a_member_that_is_given_twice_is_refused() {
 #[tokio::test]
 async fn the_list_of_faults_of_a_form_is_bounded() {
     let service = TestService::start(&["--workers", "0"]).await;
-    for name in ["priority", "source", "colour"] {
+    for name in ["priority", "source", "color"] {
         let form = (0..1000).fold(Form::new(), |form, _| form.text(name, "1"));
         let refused = problem(service.send(form).await, 422, "invalid-request").await;
         assert!(refused["errors"].as_array().unwrap().len() <= 20, "{name}: {}", refused["errors"]);

@@ -57,7 +57,7 @@ pub enum Uncertainty {
     Residual,
 }
 
-/// Jobs that were stored before this parameter existed had no other choice.
+/// Value of stored jobs that predate this parameter: they had no other choice.
 #[cfg(feature = "serde")]
 fn near_isometry() -> Bending {
     Bending::NearIsometry
@@ -80,7 +80,7 @@ pub enum Bending {
     NearIsometry,
 }
 
-/// Jobs that were stored before this parameter existed used no prior.
+/// Value of stored jobs that predate this parameter: they used no prior.
 #[cfg(feature = "serde")]
 fn without_prior() -> Anatomy {
     Anatomy::Any
@@ -105,7 +105,7 @@ pub enum Anatomy {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DisplacementMode {
-    /// No deformation: correspondences are the labels of the minimiser, or the nearest vertices where there is none or it
+    /// No deformation: correspondences are the labels of the minimizer, or the nearest vertices where there is none or it
     /// worked on a coarse level. A match fails if no rigid transform is supported by three of the labels.
     None,
     /// A smooth field deforms the source, starting from the rigid transform, from the landmarks and from a search of all

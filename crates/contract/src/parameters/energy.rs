@@ -11,7 +11,7 @@ pub struct FeatureParameters {
     /// The estimator of curvature.
     #[cfg_attr(feature = "serde", serde(default = "angle_defect"))]
     pub estimator: CurvatureEstimator,
-    /// Radius of the neighbourhood that the estimators `covariance` and `quadric` use, mm; `null`: three mean edge lengths.
+    /// Radius of the neighborhood that the estimators `covariance` and `quadric` use, mm; `null`: three mean edge lengths.
     #[cfg_attr(feature = "serde", serde(default))]
     pub radius_mm: Option<f64>,
     /// Scales `σ` of the heat flow that smooths the surface before curvature, or what is made of it, is measured, in square roots
@@ -127,7 +127,7 @@ impl FeatureKind {
 pub enum CurvatureEstimator {
     /// Angle defect over mixed Voronoi area (Gaussian), cotangent Laplacian of the positions (mean).
     AngleDefect,
-    /// Covariance of the normals in a neighbourhood (Berkmann, Caelli 1994).
+    /// Covariance of the normals in a neighborhood (Berkmann, Caelli 1994).
     Covariance,
     /// Least-squares paraboloid in the tangent frame.
     Quadric,
@@ -145,10 +145,10 @@ pub struct EnergyParameters {
     pub beta: f64,
     /// How the distance `d'` of two labels is measured.
     pub pairwise_distance: PairwiseDistance,
-    /// Truncation `T` of a pairwise potential: the cost of an edge whose two labels are not within the neighbourhood radius.
-    /// `null`: `T → ∞`, a hard neighbourhood constraint; such an edge then counts as 60 in every reported energy.
+    /// Truncation `T` of a pairwise potential: the cost of an edge whose two labels are not within the neighborhood radius.
+    /// `null`: `T → ∞`, a hard neighborhood constraint; such an edge then counts as 60 in every reported energy.
     pub truncation: Option<f64>,
-    /// Neighbourhood radius `r` in edges.
+    /// Neighborhood radius `r` in edges.
     #[cfg_attr(feature = "openapi", schema(minimum = 1, maximum = 4))]
     pub neighborhood_rings: u32,
     /// Order `p` of the Minkowski distance of features.

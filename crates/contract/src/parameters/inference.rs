@@ -1,6 +1,6 @@
-//! Parameters of the minimiser and of the feedback from registration.
+//! Parameters of the minimizer and of the feedback from registration.
 
-/// The minimiser of the energy.
+/// The minimizer of the energy.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -19,11 +19,11 @@ pub struct InferenceParameters {
     #[cfg_attr(feature = "serde", serde(default = "default_message_bits"))]
     #[cfg_attr(feature = "openapi", schema(minimum = 16, maximum = 32, multiple_of = 16))]
     pub message_bits: u32,
-    /// Vertices of the coarse levels on which the energy of larger surfaces is minimised; corresponding points of all
+    /// Vertices of the coarse levels on which the energy of larger surfaces is minimized; corresponding points of all
     /// vertices are determined after registration. `null`: every source vertex is a variable, every target vertex a label.
     #[cfg_attr(feature = "openapi", schema(minimum = 100, maximum = 20000))]
     pub coarse_vertices: Option<u32>,
-    /// Most iterations of belief propagation, or sweeps of a randomised minimiser, in the first round. Later rounds have a
+    /// Most iterations of belief propagation, or sweeps of a randomized minimizer, in the first round. Later rounds have a
     /// quarter of that.
     #[cfg_attr(feature = "openapi", schema(minimum = 1, maximum = 100000))]
     pub max_iterations: u32,
@@ -49,7 +49,7 @@ fn default_message_bits() -> u32 {
     32
 }
 
-/// Algorithm that minimises the energy.
+/// Algorithm that minimizes the energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -67,7 +67,7 @@ pub enum Algorithm {
     Metropolis,
     /// Random moves that are accepted only when they lower the energy, with restarts.
     LasVegas,
-    /// No energy of labels is minimised: the pose comes from `registration.initial`. With `search` and a smooth field, the field compares the
+    /// No energy of labels is minimized: the pose comes from `registration.initial`. With `search` and a smooth field, the field compares the
     /// poses of the search.
     None,
 }
@@ -78,10 +78,10 @@ pub enum Algorithm {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Update {
-    /// Pairs within the neighbourhood radius; all others share the truncation. Gives the same messages as `full`.
+    /// Pairs within the neighborhood radius; all others share the truncation. Gives the same messages as `full`.
     Sparse,
-    /// Pairs within the neighbourhood radius, restricted to the labels of lowest unary potential of each variable and those
-    /// near the best labels of its neighbours. Nearly the same answer in less time and memory.
+    /// Pairs within the neighborhood radius, restricted to the labels of lowest unary potential of each variable and those
+    /// near the best labels of its neighbors. Nearly the same answer in less time and memory.
     Active,
     /// All pairs: the same messages as `sparse` in more time, for small surfaces and for comparison.
     Full,

@@ -48,7 +48,7 @@ pub struct InputParameters {
     pub max_vertices: Option<u32>,
 }
 
-/// The default of [`InputParameters::fraction`].
+/// Default of [`InputParameters::fraction`].
 #[cfg(feature = "serde")]
 fn half() -> f64 {
     0.5
@@ -84,7 +84,7 @@ pub enum LabelChoice {
 }
 
 impl InputParameters {
-    /// The parameters of the source: its own labels, if it has any, in place of those of both.
+    /// The parameters of the source: its own labels, if any, replace the labels of both.
     pub fn of_source(&self) -> Self {
         self.of_side(&self.source)
     }
@@ -101,7 +101,7 @@ impl InputParameters {
     }
 }
 
-/// A list of which a single entry may stand alone.
+/// A list whose single entry may be written without brackets.
 #[cfg(feature = "serde")]
 mod one_or_many {
     use serde::{Deserialize, Deserializer};

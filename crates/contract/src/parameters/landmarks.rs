@@ -1,4 +1,4 @@
-//! Points that are known to correspond.
+//! Points of known correspondence.
 
 /// A point of the source and the point of the target that it corresponds to, in the coordinates of the inputs.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,7 @@
-//! The parameters of a match: named presets, requests that override them, and checks that name the place of each fault.
+//! The parameters of a match: named presets, requests that override them, and checks that locate each fault.
 //!
-//! A request sets some of them; [`resolve()`] overrides the preset that `method` names with these and returns the
-//! complete,
-//! *effective* parameters, which are stored with the job and returned with its result.
+//! A request sets some of them. [`resolve()`] overrides the preset named by `method` with these and returns the
+//! complete, *effective* parameters, which are stored with the job and returned with its result.
 
 mod displacement;
 mod energy;
@@ -47,9 +46,9 @@ pub struct MatchParameters {
     pub input: InputParameters,
     /// Vertex features of the unary potential.
     pub features: Vec<FeatureParameters>,
-    /// The energy that is minimised.
+    /// The energy that is minimized.
     pub energy: EnergyParameters,
-    /// The algorithm that minimises the energy, and its settings.
+    /// The algorithm that minimizes the energy, and its settings.
     pub inference: InferenceParameters,
     /// Feedback from registration to the energy.
     pub clamping: ClampingParameters,
@@ -67,7 +66,7 @@ pub struct MatchParameters {
     pub seed: u64,
 }
 
-/// A fault in the parameters: its place, its kind, and what is allowed.
+/// A fault in the parameters: its place, its kind, and the allowed values.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -76,6 +75,6 @@ pub struct ParameterError {
     pub pointer: String,
     /// `unknown_key`, `wrong_type` or `out_of_range`.
     pub code: String,
-    /// One sentence that says what is wrong and what is allowed.
+    /// One sentence on the fault and the allowed values.
     pub detail: String,
 }

@@ -1,4 +1,4 @@
-//! The named presets: each is a complete set of parameters, parts of which a request may override.
+//! The named presets: each is a complete set of parameters, which a request may override in part.
 
 use super::energy::{default_scales, default_support};
 use super::{
@@ -137,7 +137,7 @@ impl Method {
 /// The effective parameters of a preset.
 pub fn preset(method: Method) -> MatchParameters {
     let balanced = MatchParameters { method, ..balanced() };
-    // Methods for the study of minimisers minimise the energy of all vertices and answer with its labels.
+    // Methods for the study of minimizers minimize the energy of all vertices and return its labels.
     let direct = MatchParameters {
         inference: InferenceParameters {
             algorithm: Algorithm::MaxProduct,
@@ -154,7 +154,7 @@ pub fn preset(method: Method) -> MatchParameters {
         inference: InferenceParameters { algorithm, max_iterations: sweeps, ..direct.inference.clone() },
         ..direct.clone()
     };
-    // No energy is minimised, so that there is nothing to feed back to.
+    // No energy is minimized, so there is nothing to feed back to.
     let registration_only = |initial, refine| MatchParameters {
         inference: InferenceParameters { algorithm: Algorithm::None, ..direct.inference.clone() },
         clamping: ClampingParameters { mode: ClampingMode::None, max_rounds: 0 },
@@ -167,8 +167,8 @@ pub fn preset(method: Method) -> MatchParameters {
     };
     match method {
         Method::Balanced => balanced,
-        // Chosen on pairs of two subjects. Section `thesis` of `homolog experiment` has a curve of each; docs/thesis.md has what other pairs
-        // reach, and how to ask for the letter of the thesis.
+        // Chosen on pairs of two subjects. The section `thesis` of `homolog experiment` has a curve of each parameter;
+        // docs/thesis.md has the results on other pairs, and the request for the exact settings of the thesis.
         Method::Thesis => MatchParameters {
             features: vec![feature(FeatureKind::GaussianCurvature, default_scales())],
             energy: EnergyParameters { alpha: 0.5, ..direct.energy },
@@ -297,7 +297,8 @@ mod tests {
         assert_eq!((thesis.features.len(), thesis.features[0].kind), (1, FeatureKind::GaussianCurvature));
         assert_eq!((thesis.inference.algorithm, thesis.inference.coarse_vertices), (Algorithm::MaxProduct, None));
         assert_eq!((thesis.displacement.mode, thesis.clamping.mode), (DisplacementMode::None, ClampingMode::Soft));
-        // Messages, neighborhood, scales, weights, iterations and refinement; all else is as of the other minimizers of labels.
+        // Messages, neighborhood, scales, weights, iterations and refinement; all other parameters are those of the
+        // other minimizers of labels.
         let rest = MatchParameters {
             method: gibbs.method,
             features: gibbs.features.clone(),

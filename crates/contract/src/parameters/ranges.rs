@@ -1,13 +1,13 @@
-//! Which values parameters may take: one table of bounds for numbers and one for lengths of lists, and the rules between
-//! parameters. The check of a request and the tests of the extremes read these tables, and so can descriptions
-//! of the parameters.
+//! Allowed values of parameters: one table of bounds for numbers, one for lengths of lists, and the rules between
+//! parameters. The check of a request, the tests of the extremes and descriptions of the parameters all read these
+//! tables.
 
 use super::{
     Algorithm, Anatomy, ClampingMode, InitialPose, LabelChoice, MatchParameters, MessageSchedule, ParameterError,
     Repair, Update,
 };
 
-/// Where a value stands inside the lists that its name passes through, and the value; `None` stands for `null`.
+/// The indices of a value in the lists that its name passes through, and the value; `None` stands for `null`.
 type Visit<'v> = &'v mut dyn FnMut(&[usize], Option<f64>);
 
 /// The allowed values of one numeric parameter.
@@ -19,13 +19,13 @@ pub struct Bounds {
     pub minimum: f64,
     /// Highest value; not itself allowed if `exclusive_maximum`.
     pub maximum: f64,
-    /// Whether a value has to be more than `minimum`.
+    /// Whether the minimum itself is excluded.
     pub exclusive_minimum: bool,
-    /// Whether a value has to be less than `maximum`.
+    /// Whether the maximum itself is excluded.
     pub exclusive_maximum: bool,
     /// Unit of the value: `mm`, or empty for a number without one.
     pub unit: &'static str,
-    /// Whether `null` is allowed, too.
+    /// Whether `null` is also allowed.
     pub nullable: bool,
     /// `Some(1)` for whole numbers, `Some(k)` for whole multiples of `k`, `None` for any number.
     pub multiple_of: Option<u32>,
@@ -74,17 +74,17 @@ impl Bounds {
         above && below && self.multiple_of.is_none_or(|k| value % f64::from(k) == 0.0)
     }
 
-    /// The lowest number that is allowed.
+    /// The lowest allowed number.
     pub fn lowest(&self) -> f64 {
         if self.exclusive_minimum { self.minimum.next_up() } else { self.minimum }
     }
 
-    /// The highest number that is allowed.
+    /// The highest allowed number.
     pub fn highest(&self) -> f64 {
         if self.exclusive_maximum { self.maximum.next_down() } else { self.maximum }
     }
 
-    /// What is allowed, as the end of a sentence: "must be from 0 to 10 mm, or null".
+    /// The allowed values, as the end of a sentence: "must be from 0 to 10 mm, or null".
     fn demand(&self) -> String {
         let Bounds { minimum, maximum, unit, .. } = *self;
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
@@ -102,7 +102,7 @@ impl Bounds {
 }
 
 impl Bounds {
-    /// What a value has to be that is no number.
+    /// The requirement on a value that is not a number.
     pub(super) fn demand_of_number(&self) -> String {
         let number = if self.multiple_of.is_some() { "must be a whole number" } else { "must be a number" };
         match self.demand().strip_prefix("must be ") {
@@ -118,15 +118,15 @@ impl Bounds {
 pub struct Lengths {
     /// Dotted name in a request, such as `landmarks`. `[]` stands for every element of a list.
     pub name: &'static str,
-    /// Fewest elements.
+    /// Smallest number of elements.
     pub minimum: usize,
-    /// Most elements.
+    /// Largest number of elements.
     pub maximum: usize,
     lengths: fn(&MatchParameters, Visit<'_>),
 }
 
-/// The bounds of every numeric parameter but `seed` and the labels of a volume, which may be any whole numbers of their
-/// types (64 and 32 bits, not negative).
+/// The bounds of every numeric parameter except `seed` and the labels of a volume, which may be any non-negative whole
+/// numbers of their types (64 and 32 bits).
 pub const BOUNDS: &[Bounds] = &[
     Bounds::number("input.smoothing_mm", 0.0, 1000.0, |p, visit| visit(&[], p.input.smoothing_mm)).mm().or_null(),
     Bounds::number("input.fraction", 0.0, 1.0, |p, visit| visit(&[], Some(p.input.fraction))).above_minimum(),
@@ -266,7 +266,7 @@ fn pointer(name: &str, indices: &[usize]) -> String {
         {
             pointer.push_str(&format!("/{index}"));
         }
-        // After a list the separator of the name is that of the pointer already.
+        // After a list the separator in the name already equals that of the pointer.
         pointer.push_str(&part.replace('.', "/"));
     }
     pointer
@@ -278,10 +278,10 @@ pub(super) fn fault(pointer: &str, code: &str, detail: String) -> ParameterError
 }
 
 impl MatchParameters {
-    /// Checks every value against [`BOUNDS`] and [`LENGTHS`], and the values that exclude each other.
+    /// Checks every value against [`BOUNDS`] and [`LENGTHS`], and against values that exclude it.
     ///
     /// # Errors
-    /// Every fault, each with its JSON pointer: first values and lengths out of their bounds, then values that exclude each
+    /// Every fault, each with its JSON pointer: first values and lengths out of bounds, then values that exclude each
     /// other.
     pub fn check(&self) -> Result<(), Vec<ParameterError>> {
         let mut faults = Vec::new();
@@ -467,7 +467,7 @@ mod tests {
         assert_eq!(found, named);
     }
 
-    /// Bounds that the generated schema states are those of the table.
+    /// The bounds stated in the generated schema equal those of the table.
     #[cfg(feature = "openapi")]
     #[test]
     fn the_schema_states_no_other_bounds() {

@@ -6,7 +6,7 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct RegistrationParameters {
-    /// The initial pose, before refinement. Where a request states `inference.algorithm` but not this, it is `ransac` with a minimiser and
+    /// The initial pose, before refinement. Where a request states `inference.algorithm` but not this, it is `ransac` with a minimizer and
     /// `search` without.
     pub initial: InitialPose,
     /// Minimal estimator of RANSAC: a transform from three pairs.
@@ -37,7 +37,7 @@ pub struct RegistrationParameters {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum InitialPose {
-    /// RANSAC over the correspondence. Needs a minimiser, and every minimiser needs it.
+    /// RANSAC over the correspondence. Needs a minimizer, and every minimizer needs it.
     Ransac,
     /// Search of all orientations by soft assignment of patches.
     Search,

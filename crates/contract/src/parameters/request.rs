@@ -1,6 +1,6 @@
-//! The schemas of the parameters for the OpenAPI document: those of a request, in which every value is optional, and those
-//! in force, in which every value is stated. Both have the bounds of [`BOUNDS`] and [`LENGTHS`], which the check of a request
-//! enforces.
+//! The schemas of the parameters for the OpenAPI document: the schemas of a request, in which every value is optional,
+//! and the effective ones, in which every value is stated. Both have the bounds of [`BOUNDS`] and [`LENGTHS`], which
+//! the check of a request enforces.
 
 use super::ranges::{BOUNDS, LENGTHS};
 use super::{Anatomy, LabelChoice, MatchParameters};
@@ -10,11 +10,11 @@ use utoipa::openapi::schema::Schema;
 use utoipa::openapi::{Ref, RefOr};
 use utoipa::{PartialSchema, ToSchema};
 
-/// Before the names of the schemas of requests: `PartialParameters`, `PartialEnergyParameters`.
+/// Prefix of the names of request schemas: `PartialParameters`, `PartialEnergyParameters`.
 const PARTIAL: &str = "Partial";
 const ROOT: &str = "MatchParameters";
 const REFERENCE: &str = "#/components/schemas/";
-/// Groups of parameters, which a request states in part. Entries of lists replace the preset's, and are complete.
+/// Groups of parameters that a request may state in part. Entries of lists replace the preset's, and are complete.
 const GROUPS: [&str; 8] = [
     "InputParameters",
     "SideParameters",
@@ -26,7 +26,7 @@ const GROUPS: [&str; 8] = [
     "DisplacementParameters",
 ];
 
-/// The parameters of a request: those that differ from the preset that `method` names.
+/// The parameters of a request: those that differ from the preset named by `method`.
 #[derive(Debug, Clone, Copy)]
 pub struct PartialParameters;
 
@@ -43,7 +43,7 @@ impl ToSchema for PartialParameters {
     }
 }
 
-/// The schemas of the parameters by name, with every bound: those in force, and those of requests.
+/// The schemas of the parameters by name, with every bound: the effective ones, and those of requests.
 pub fn parameter_schemas() -> BTreeMap<String, RefOr<Schema>> {
     let mut named = Vec::new();
     MatchParameters::schemas(&mut named);
@@ -55,7 +55,7 @@ pub fn parameter_schemas() -> BTreeMap<String, RefOr<Schema>> {
         let minimum = if bounds.exclusive_minimum { "exclusiveMinimum" } else { "minimum" };
         let maximum = if bounds.exclusive_maximum { "exclusiveMaximum" } else { "maximum" };
         schema.retain(|key, _| !["minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"].contains(&key.as_str()));
-        // A finite number is all that JSON can say.
+        // JSON can express only finite numbers.
         if bounds.maximum < f64::MAX {
             schema.insert(minimum.to_owned(), number(bounds.minimum));
             schema.insert(maximum.to_owned(), number(bounds.maximum));
@@ -96,7 +96,7 @@ pub fn parameter_schemas() -> BTreeMap<String, RefOr<Schema>> {
         root["description"] =
             "Parameters that differ from the preset that `method` names; `{}` for the defaults.".into();
     }
-    // Jobs of earlier versions may have another; requests may not.
+    // Jobs of earlier versions may have another value; requests may not.
     let partial_displacement = partial("DisplacementParameters");
     if let Some(anatomy) = schemas.get_mut(&partial_displacement).and_then(|s| s.pointer_mut("/properties/anatomy")) {
         let description = anatomy["description"].take();
@@ -111,7 +111,7 @@ fn partial(name: &str) -> String {
     if name == ROOT { PartialParameters::name().into_owned() } else { format!("{PARTIAL}{name}") }
 }
 
-/// Makes every value optional, and lets references to groups lead to groups of requests.
+/// Makes every value optional, and redirects references to groups to the groups of requests.
 fn make_partial(schema: &mut Value) {
     let Value::Object(fields) = schema else { return };
     fields.remove("required");
@@ -163,7 +163,7 @@ mod tests {
     fn every_bound_stands_in_both_schemas() {
         let mut schemas = schemas();
         let mut of_requests = schemas.clone();
-        // The schemas of requests, under the names of those in force.
+        // The schemas of requests, under the names of the effective ones.
         for name in GROUPS.into_iter().chain([ROOT]) {
             let mut schema = of_requests.remove(&partial(name)).unwrap();
             let text = schema.to_string().replace(&format!("{REFERENCE}{PARTIAL}"), REFERENCE);

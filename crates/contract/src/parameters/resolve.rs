@@ -1,13 +1,13 @@
-//! From a request to effective parameters, with a JSON pointer to every fault.
+//! Resolves a request to effective parameters, with a JSON pointer to every fault.
 
 use super::ranges::{BOUNDS, fault};
 use super::{MatchParameters, Method, ParameterError, preset};
 use serde_json::Value;
 
-/// The effective parameters of a request: the preset that its `method` names, overridden by its values.
+/// The effective parameters of a request: the preset named by its `method`, overridden by its values.
 ///
 /// # Errors
-/// Every fault found, each with its JSON pointer: unknown keys, wrong types, values out of range.
+/// Every fault, each with its JSON pointer: unknown keys, wrong types, values out of range.
 pub fn resolve(request: &Value) -> Result<MatchParameters, Vec<ParameterError>> {
     let method = match request.get("method") {
         None => Method::Balanced,
@@ -33,7 +33,7 @@ pub fn resolve(request: &Value) -> Result<MatchParameters, Vec<ParameterError>> 
     parameters.check().map(|()| parameters)
 }
 
-/// Parameters that are about an energy of labels, or about RANSAC over them.
+/// Parameters of an energy of labels, or of RANSAC over labels.
 const OF_LABELS: [&str; 7] = [
     "/features",
     "/energy",
@@ -44,9 +44,9 @@ const OF_LABELS: [&str; 7] = [
     "/registration/max_trials",
 ];
 
-/// What a request leaves open follows what it states. The default minimizes no energy of labels, so a request that states something about
-/// one asks for it; so do landmarks where no smooth field takes them, as they enter its unary potentials. Initial poses come from the labels
-/// that a minimizer finds, or without one from a search.
+/// Adapts unstated parameters to the stated ones. The default minimizes no energy of labels, so a request that states a
+/// parameter of one enables it. Landmarks enable it too if no smooth field uses them, because they enter its unary
+/// potentials. Initial poses come from the labels of a minimizer, or without one from a search.
 fn follow_the_request(merged: &mut Value, request: &Value, method: Method) {
     let names_algorithm = request.pointer("/inference/algorithm").is_some();
     let states = |pointer: &&str| request.pointer(pointer).is_some_and(|stated| *stated != serde_json::json!({}));
@@ -90,7 +90,7 @@ fn overlay(
                     None => {
                         let mut known: Vec<_> = base.keys().map(String::as_str).collect();
                         known.sort_unstable();
-                        // A key that is known elsewhere is more likely meant than one that is spelled a little like it.
+                        // A key known elsewhere is more likely meant than one of similar spelling.
                         let elsewhere = names.iter().find(|name| name.rsplit('.').next() == Some(key));
                         let meant = elsewhere.map(String::as_str).or_else(|| nearest(key, known.iter().copied()));
                         let known = known.join(", ");
@@ -124,14 +124,14 @@ fn did_you_mean(name: Option<&str>) -> String {
     name.map_or_else(String::new, |name| format!("did you mean {name}? "))
 }
 
-/// The known name that is reached by the fewest edits, if these are few for its length.
+/// The known name within the fewest edits, if these are few for its length.
 fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let distances = known.map(|known| (strsim::damerau_levenshtein(name, known), known));
     let (distance, nearest) = distances.min()?;
     (distance <= nearest.len().max(name.len()) / 2).then_some(nearest)
 }
 
-/// What a value has to be, where another type was given.
+/// The required type of a value that has another type.
 fn needed(pointer: &str, message: &str) -> String {
     let indices = |name: &str| name.bytes().all(|b| b.is_ascii_digit());
     let dotted = pointer.split('/').skip(1).fold(String::new(), |path, name| match (path.is_empty(), indices(name)) {

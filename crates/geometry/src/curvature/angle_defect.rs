@@ -15,8 +15,8 @@ fn corner_angle(at: &Point3<f64>, a: &Point3<f64>, b: &Point3<f64>) -> f64 {
     u.cross(&v).norm().atan2(u.dot(&v))
 }
 
-/// Area `A_i` that belongs to every vertex, mm²: mixed Voronoi area on triangles, a quarter of each face on quads.
-/// They sum to the area of the surface.
+/// Area `A_i` of every vertex, mm²: mixed Voronoi area on triangles, a quarter of each face on quads. The areas sum to
+/// the area of the surface.
 ///
 /// Cost `O(faces)`.
 pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
@@ -32,7 +32,7 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
         }
         let corners = [v[face[0] as usize], v[face[1] as usize], v[face[2] as usize]];
         let sides: [Vector3<f64>; 3] = std::array::from_fn(|k| corners[(k + 1) % 3] - corners[k]);
-        // Products of the two sides at each corner; over twice the area they are the cotangents.
+        // Products of the two sides at each corner; divided by twice the area they are the cotangents.
         let products: [f64; 3] = std::array::from_fn(|k| -sides[k].dot(&sides[(k + 2) % 3]));
         let obtuse = products.iter().position(|&product| product < 0.0);
         for k in 0..3 {
@@ -54,7 +54,7 @@ pub fn vertex_areas(mesh: &SurfaceMesh) -> Vec<f64> {
     areas
 }
 
-/// Gaussian curvature `K_i = (2π − Σ φ) / A_i` of every vertex, 1/mm²; at a boundary vertex the mean of its interior
+/// Gaussian curvature `K_i = (2π − Σ φ) / A_i` of every vertex, 1/mm². A boundary vertex gets the mean of its interior
 /// neighbors.
 ///
 /// Zero where the area of a vertex vanishes. Cost `O(faces)`.
@@ -65,8 +65,8 @@ pub fn gaussian_curvature(mesh: &SurfaceMesh) -> Vec<f64> {
 fn gaussian_with(mesh: &SurfaceMesh, areas: &[f64]) -> Vec<f64> {
     let v = mesh.vertices();
     let mut defect = vec![TAU; mesh.n_vertices()];
-    // A triangle once whole; a quad as the mean of its two triangulations, so that the corners of a skew quad, too,
-    // sum to 2π. On a flat quad that is its own corner angle.
+    // A triangle counts once; a quad counts as the mean of its two triangulations, so that the corners of a skew quad
+    // also sum to 2π. On a flat quad the mean equals the corner angle.
     let mut subtract = |corners: [u32; 3], share: f64| {
         for k in 0..3 {
             let [at, next, last] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]].map(|c| &v[c as usize]);
@@ -106,13 +106,13 @@ pub fn angle_defect_curvatures(mesh: &SurfaceMesh) -> Curvatures {
     both_curvatures(mesh, &vertex_areas(mesh))
 }
 
-/// [`gaussian_curvature`] and [`mean_curvature`], over the areas that both need.
+/// [`gaussian_curvature`] and [`mean_curvature`] from the given vertex areas.
 pub(super) fn both_curvatures(mesh: &SurfaceMesh, areas: &[f64]) -> Curvatures {
     Curvatures { gaussian: gaussian_with(mesh, areas), mean: mean_with(mesh, areas) }
 }
 
-/// `values` with those at boundary vertices, where neither formula holds, replaced by the mean over their interior
-/// neighbors, or 0 without any.
+/// `values` with the boundary vertices, where neither formula holds, set to the mean over their interior neighbors, or
+/// to 0 if they have none.
 fn extended_to_boundary(mesh: &SurfaceMesh, mut values: Vec<f64>) -> Vec<f64> {
     let Some(on_boundary) = mesh.boundary_vertices() else { return values };
     let graph = mesh.edge_graph();

@@ -1,4 +1,4 @@
-//! The part of a surface that lies in a ball around a vertex and is a graph over the tangent plane.
+//! The part of a surface that lies in a ball around a vertex and forms a graph over the tangent plane.
 
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::graph::EdgeGraph;
@@ -9,7 +9,7 @@ pub(super) struct Patches<'a> {
     pub mesh: &'a SurfaceMesh,
     graph: EdgeGraph,
     pub normals: Vec<Vector3<f64>>,
-    /// Weight of each vertex: its area, so that a finely sampled side of the ball does not outweigh the other.
+    /// Weight of each vertex: its area, so that the more finely sampled side of a ball does not outweigh the other.
     pub areas: Vec<f64>,
     radius_mm: f64,
 }
@@ -34,9 +34,9 @@ impl<'a> Patches<'a> {
         Patches { mesh, graph: mesh.edge_graph(), normals: mesh.vertex_normals(), areas, radius_mm }
     }
 
-    /// Collects in `visited.members` the vertices that are connected to `center` by edges within the ball around it.
-    /// Paths end where the normal differs by 90° or more, beyond which the surface would overlap itself in the tangent
-    /// plane; so the opposite side of a thin part is not included.
+    /// Collects in `visited.members` the vertices connected to `center` by edges within the ball around it. Paths end
+    /// where the normal differs by 90° or more: beyond, the surface would overlap itself in the tangent plane. The
+    /// opposite side of a thin part is therefore excluded.
     pub(super) fn collect(&self, center: usize, visited: &mut Visited) {
         let p = self.mesh.vertices();
         visited.members.clear();

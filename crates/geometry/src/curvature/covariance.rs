@@ -1,24 +1,24 @@
 //! Curvature from the covariance of normals and positions in a ball.
 //!
 //! Source: Berkmann, Caelli, "Computation of surface geometry and segmentation using covariance techniques", IEEE PAMI
-//! 16(11), 1994. In the tangent plane of a vertex, with `u` the projected position of a point of the ball and `ν` its
-//! projected unit normal, a smooth surface has `ν = S u + O(|u|²)` with the symmetric shape operator `S`, whose
+//! 16(11), 1994. In the tangent plane of a vertex, let `u` be the projected position of a point of the ball and `ν` its
+//! projected unit normal. A smooth surface has `ν = S u + O(|u|²)` with the symmetric shape operator `S`, whose
 //! eigenvalues are the principal curvatures (positive where the surface is convex, since normals look outwards). The
-//! covariance of the projected normals alone is `C_νν ≈ S C_uu S`: its eigenvalues are squares of principal curvatures
-//! and have lost their signs. The covariance of normals with positions, `C_νu ≈ S C_uu`, keeps them. The symmetric `S`
-//! that minimises `Σ a |ν − S u|²` about the means (`a` the area of a vertex) solves
+//! covariance of the projected normals alone, `C_νν ≈ S C_uu S`, has squares of principal curvatures as eigenvalues and
+//! loses their signs. The covariance of normals with positions, `C_νu ≈ S C_uu`, keeps the signs. The symmetric `S`
+//! that minimizes `Σ a |ν − S u|²` about the means (`a` the area of a vertex) solves
 //!
 //! ```text
 //! S C_uu + C_uu S = C_νu + C_νuᵀ
 //! ```
 //!
-//! which in the axes of `C_uu`, with eigenvalues `λ`, is `S_kl = (C_νu + C_νuᵀ)_kl / (λ_k + λ_l)`. Then `K = det S` and
-//! `H = tr S / 2`. On a sphere with exact normals `ν = u / r` holds exactly, whatever the ball.
+//! In the axes of `C_uu`, with eigenvalues `λ`, the solution is `S_kl = (C_νu + C_νuᵀ)_kl / (λ_k + λ_l)`. Then `K = det
+//! S` and `H = tr S / 2`. On a sphere with exact normals `ν = u / r` holds exactly, for any ball.
 
 use super::ball::Patches;
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
-/// Smallest ratio of the two variances of the positions at which `S` is determined in both directions.
+/// Smallest ratio of the two variances of the positions that determines `S` in both directions.
 const COLLINEAR_RTOL: f64 = 1e-6;
 
 /// Gaussian and mean curvature at `center`, or `None` if `members` lie on a line or have no area.

@@ -7,11 +7,11 @@ use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use rayon::prelude::*;
 
-/// How curvature is measured.
+/// Method of measuring curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Estimator {
-    /// Corner angles and cotangents over the faces around a vertex (`angle_defect.rs`): no radius, satisfies the
-    /// Gauss-Bonnet theorem to rounding, sensitive to noise of single faces.
+    /// Corner angles and cotangents over the faces around a vertex (`angle_defect.rs`): needs no radius, satisfies the
+    /// Gauss-Bonnet theorem to rounding, is sensitive to noise of single faces.
     #[default]
     AngleDefect,
     /// The covariance of normals and positions in a ball (`covariance.rs`).
@@ -26,7 +26,7 @@ pub enum Estimator {
     },
 }
 
-/// Both curvatures of every vertex.
+/// Gaussian and mean curvature of every vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curvatures {
     /// Gaussian curvature `K_i`, 1/mm².
@@ -45,20 +45,20 @@ type CurvatureOf = fn(&Patches, usize, &[u32]) -> Option<(f64, f64)>;
 /// Vertices per task, which share scratch memory.
 const CHUNK: usize = 256;
 
-/// The radius of the ball that fits the resolution of `mesh`: 2.5 mean edge lengths, mm. To compare two surfaces, use
-/// one radius for both.
+/// Radius of the ball, mm, that fits the resolution of `mesh`: 2.5 mean edge lengths. To compare two surfaces, use one
+/// radius for both.
 pub fn default_radius_mm(mesh: &SurfaceMesh) -> f64 {
     DEFAULT_RADIUS_EDGES * mesh.mean_edge_length()
 }
 
-/// Gaussian and mean curvature of every vertex of `mesh`, as `estimator` measures them.
+/// Gaussian and mean curvature of every vertex of `mesh`, measured by `estimator`.
 ///
-/// A vertex whose ball does not contain enough of the surface (fewer than 6 vertices for a paraboloid, collinear points
-/// for the covariance) gets the values of [`Estimator::AngleDefect`], as does every vertex if the radius is not
-/// positive.
+/// A vertex gets the values of [`Estimator::AngleDefect`] if its ball does not contain enough of the surface (fewer
+/// than 6 vertices for a paraboloid, collinear points for the covariance), and so does every vertex if the radius is
+/// not positive.
 ///
 /// # Errors
-/// [`Cancelled`], asked at every vertex that has a ball.
+/// [`Cancelled`]; the observer is asked at every vertex that has a ball.
 ///
 /// # Cost
 /// `O(faces)`, or `O(n k)` with `k` vertices per ball, on all threads; every vertex is computed independently, so any

@@ -37,7 +37,7 @@ fn errors(mesh: &SurfaceMesh, found: &Curvatures, truth: impl Fn(&Point3<f64>) -
     ((sums[0] / sums[1]).sqrt(), (sums[2] / sums[3]).sqrt())
 }
 
-/// The surface of the voxels of 1 mm whose centres lie within `radius` of a point that is no lattice point.
+/// The surface of the voxels of 1 mm whose centers lie within `radius` of a point off the lattice.
 fn voxel_ball(radius: f64) -> SurfaceMesh {
     let side = 2 * radius as usize + 5;
     let center = side as f64 / 2.0;
@@ -150,7 +150,7 @@ fn a_ball_with_too_few_vertices_falls_back_on_the_angle_defect() {
             assert_eq!(curvatures(&mesh, estimator, &Silent).unwrap(), around, "{estimator:?}");
         }
     }
-    // Four neighbours and the vertex itself determine no paraboloid.
+    // Four neighbors and the vertex itself determine no paraboloid.
     assert_eq!(curvatures(&mesh, Estimator::Quadric { radius_mm: 0.0 }, &Silent).unwrap(), around);
 }
 

@@ -16,14 +16,14 @@ pub struct Weight {
     pub weight: f64,
 }
 
-/// The four triangles that the two diagonals of a quad make.
+/// The four triangles made by the two diagonals of a quad.
 pub(super) fn both_triangulations(quad: &[u32]) -> [[u32; 3]; 4] {
     [[quad[0], quad[1], quad[2]], [quad[0], quad[2], quad[3]], [quad[1], quad[2], quad[3]], [quad[1], quad[3], quad[0]]]
 }
 
-/// Twice the area that a face counts as having at least, in sums of its squared edges. Below it the cotangents are so large
-/// that their sums lose all digits. One floor for the three angles of a face scales its part of the Laplacian as a whole,
-/// which stays positive semidefinite.
+/// Lower bound of twice the area of a face, as a share of the sum of its squared edges. Below it the cotangents are so
+/// large that their sums lose all digits. One bound for the three angles of a face scales its part of the Laplacian as
+/// a whole, which stays positive semidefinite.
 const LEAST_AREA: f64 = 1e-5;
 
 /// All contributions to the cotangent weights: half the cotangent of each angle, for the edge opposite to it.

@@ -6,10 +6,10 @@
 //! z = a u² + b u v + c v² + d u + e v + f
 //! ```
 //!
-//! minimises `Σ A (z − z_i)²` over the points of the ball, `A` the area of a vertex. The slopes `d`, `e` take up an
-//! error of the normal, the offset `f` one of the position. Its curvature over the vertex follows exactly from the two
-//! fundamental forms of a graph (Gauss; do Carmo, "Differential geometry of curves and surfaces", 1976, 3-3), the mean
-//! one negated, since the normal points outwards:
+//! minimizes `Σ A (z − z_i)²` over the points of the ball, where `A` is the area of a vertex. The slopes `d`, `e`
+//! absorb an error of the normal, the offset `f` an error of the position. The curvature over the vertex follows
+//! exactly from the two fundamental forms of a graph (Gauss; do Carmo, "Differential geometry of curves and surfaces",
+//! 1976, 3-3). The mean curvature is negated, since the normal points outwards:
 //!
 //! ```text
 //! W² = 1 + d² + e²,   K = (4 a c − b²) / W⁴,   H = −(a (1 + e²) − b d e + c (1 + d²)) / W³
@@ -18,8 +18,8 @@
 use super::ball::Patches;
 use nalgebra::{Cholesky, Matrix6, Vector6};
 
-/// Smallest pivot of the normal equations, relative to the largest, at which the points determine a paraboloid. In
-/// units of the ball a regular neighborhood has about 1e-2, and zero becomes less than 1e-15 by rounding.
+/// Smallest pivot of the normal equations, relative to the largest, from which the points determine a paraboloid. In
+/// units of the ball a regular neighborhood has about 1e-2; a zero pivot becomes less than 1e-15 by rounding.
 const PIVOT_RTOL: f64 = 1e-10;
 
 /// Gaussian and mean curvature at `center`, or `None` if `members` do not determine a paraboloid.
@@ -29,7 +29,7 @@ pub(super) fn curvature_of(patches: &Patches, center: usize, members: &[u32]) ->
     }
     let plane = patches.tangent_plane(center);
     let points = members.iter().map(|&v| (patches.areas[v as usize], patches.in_frame(&plane, center, v as usize)));
-    // In units of the points' own extent, so that the pivots can be compared.
+    // In units of the extent of the points, so that the pivots can be compared.
     let unit = points.clone().fold(0.0f64, |largest, (_, (u, _))| largest.max(u.norm()));
     let total: f64 = points.clone().map(|(area, _)| area).sum();
     let mut normal_matrix = Matrix6::zeros();

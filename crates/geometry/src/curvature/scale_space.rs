@@ -10,13 +10,13 @@ use crate::sparse::{CholeskyPattern, Place};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 
-/// The heat-flow operator of one surface, which smooths it at any scale.
+/// The heat-flow operator of a surface; smooths it at any scale.
 pub struct ScaleSpace<'a> {
     mesh: &'a SurfaceMesh,
     areas: Vec<f64>,
-    /// Lower-triangle entries of `L`, diagonal included, which is the last `n`.
+    /// Entries of the lower triangle of `L`; the last `n` are the diagonal.
     laplacian: Vec<f64>,
-    /// That of `A + tL`, which is the same at every scale; `None` if there are more entries than can be counted.
+    /// Pattern of `A + tL`, which is the same at every scale; `None` if the entries are too many to be counted.
     pattern: Option<CholeskyPattern>,
 }
 
@@ -45,10 +45,10 @@ impl<'a> ScaleSpace<'a> {
             laplacian.push(-w.weight);
         }
         laplacian.extend(diagonal);
-        // The diagonal twice: for `L` and for the areas.
+        // The diagonal occurs twice: for `L` and for the areas.
         places.extend((0..n).chain(0..n).map(|i| Place::new(i, i)));
-        // A vertex between faces without area would make the mass matrix singular; a millionth of the mean area keeps
-        // it regular and moves no other vertex measurably.
+        // A vertex between faces without area would make the mass matrix singular. A millionth of the mean area keeps
+        // the matrix regular and moves no other vertex measurably.
         let mut areas = vertex_areas(mesh);
         let floor = 1e-6 * areas.iter().sum::<f64>() / n as f64;
         for area in &mut areas {
@@ -57,7 +57,8 @@ impl<'a> ScaleSpace<'a> {
         ScaleSpace { mesh, areas, laplacian, pattern: CholeskyPattern::new(n, &places) }
     }
 
-    /// The surface at scale `scale_mm` (`σ`, mm): same faces, smoothed positions. `0` gives the surface itself.
+    /// The surface at scale `scale_mm` (`σ`, mm): same faces, smoothed positions. Scale `0` returns the surface
+    /// unchanged.
     ///
     /// # Errors
     /// [`ScaleSpaceError::NotPositiveDefinite`].
@@ -73,7 +74,7 @@ impl<'a> ScaleSpace<'a> {
         let t = scale_mm * scale_mm / 2.0;
         let entries: Vec<f64> = self.laplacian.iter().map(|l| t * l).chain(self.areas.iter().copied()).collect();
         let factor = self.pattern.as_ref().and_then(|pattern| pattern.factorize(&entries)).ok_or(failed)?;
-        // About the centroid, so that a surface far from the origin keeps its precision.
+        // Relative to the centroid, which keeps the precision of a surface far from the origin.
         let center = self.mesh.centroid();
         let v = self.mesh.vertices();
         let smoothed = factor.solve(n, 3, &|i, k| self.areas[i] * (v[i][k] - center[k]));

@@ -1,11 +1,14 @@
-//! Fast point feature histograms: how the normals about a vertex turn against its own.
+//! Fast point feature histograms: the directions of the normals around a vertex relative to its own normal.
 //!
-//! A pair of points has three angles in the frame of the one whose normal makes the smaller angle with the line between them: `α`
-//! between the other normal and `v`, `φ` of its own normal with the line, `θ` of the other normal about `v`, with `u` the own
-//! normal, `v` perpendicular to it and to the line, `w = u × v`. The simplified histogram of a vertex counts its pairs with all
-//! neighbors, 11 bins an angle; its FPFH is the mean of its own and of those of its neighbors, which count for the inverse of
-//! their distance. Differences to the publication: neighbors count for their area; a pair is shared between two bins, on the circle for
-//! `θ`; each histogram sums to 1, not to 100.
+//! A pair of points has three angles, in the frame of the point whose normal makes the smaller angle with the line
+//! between them. The frame has the own normal as `u`, the direction perpendicular to it and to the line as `v`, and `w
+//! = u × v`. `α` is the angle between the other normal and `v`, `φ` the angle between the own normal and the line, `θ`
+//! the angle of the other normal about `v`. The simplified histogram of a vertex counts its pairs with all neighbors,
+//! with 11 bins per angle. The FPFH of a vertex is the mean of its own simplified histogram and those of its neighbors,
+//! which are weighted by the inverse of their distance.
+//!
+//! Differences from the publication: neighbors are weighted by their area; a pair is shared between two bins, on the
+//! circle for `θ`; each histogram sums to 1 instead of 100.
 //!
 //! Source: Rusu, Blodow, Beetz, "Fast point feature histograms (FPFH) for 3D registration", ICRA 2009.
 
@@ -18,13 +21,14 @@ use homolog_primitives::points::NeighborGrid;
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::TAU;
 
-/// Bins of an angle.
+/// Bins per angle.
 pub(super) const BINS: usize = 11;
 
-/// The FPFH of every vertex within `radius_mm`: bins of `α` and `φ` in `[−1, 1]` as cosines, of `θ` in `[−π, π]`, in this order.
+/// The FPFH of every vertex within `radius_mm`: bins of `cos α` and `cos φ` in `[−1, 1]` and of `θ` in `[−π, π]`, in
+/// this order.
 ///
 /// # Errors
-/// [`Cancelled`], asked at every vertex.
+/// [`Cancelled`]; the observer is asked at every vertex.
 ///
 /// # Cost
 /// `O(n k)` for `k` vertices in a ball, twice, on all threads.
@@ -66,14 +70,14 @@ pub fn fpfh(mesh: &SurfaceMesh, radius_mm: f64, observer: &dyn Observer) -> Resu
     })
 }
 
-/// `cos α`, `cos φ` and `θ` of a pair at this distance; `None` for a pair without a frame, as of a point with itself.
+/// `cos α`, `cos φ` and `θ` of a pair at this distance; `None` for a pair without a frame, such as a point with itself.
 fn angles(one: (&Point3<f64>, &Vector3<f64>), other: (&Point3<f64>, &Vector3<f64>), distance: f64) -> Option<[f64; 3]> {
     if distance == 0.0 {
         return None;
     }
     let line = (other.0 - one.0) / distance;
     let (of_one, of_other) = (one.1.dot(&line), other.1.dot(&line));
-    // The smaller angle with the line has the larger cosine, whichever way the line is run through.
+    // The smaller angle with the line has the larger cosine, in either direction of the line.
     let (line, u, n, phi) = if of_one.abs() >= of_other.abs() {
         (line, one.1, other.1, of_one)
     } else {

@@ -1,7 +1,7 @@
-//! Shares of neighbouring bins, so that a histogram changes continuously with what it counts.
+//! Soft assignment to neighboring bins, so that a histogram changes continuously with the counted values.
 
-/// The two bins of `n` on `[0, 1]` whose centers enclose `x`, with the share of each: linear in between, all in the outermost
-/// bin beyond its center.
+/// The two bins of `n` on `[0, 1]` whose centers enclose `x`, with the share of each. Shares are linear between the
+/// centers; beyond the outermost center the outermost bin gets everything.
 pub(super) fn between(x: f64, n: usize) -> [(usize, f64); 2] {
     let at = (x * n as f64 - 0.5).clamp(0.0, (n - 1) as f64);
     let low = (at as usize).min(n.saturating_sub(2));
@@ -9,7 +9,7 @@ pub(super) fn between(x: f64, n: usize) -> [(usize, f64); 2] {
     [(low, 1.0 - share), ((low + 1).min(n - 1), share)]
 }
 
-/// The same on a circle of length 1.
+/// Like [`between`], on a circle of length 1.
 pub(super) fn around(x: f64, n: usize) -> [(usize, f64); 2] {
     let at = (x - x.floor()) * n as f64 - 0.5;
     let share = at - at.floor();

@@ -1,14 +1,14 @@
-//! Local descriptors: at every vertex a list of numbers that say what the surface about it looks like.
+//! Local descriptors: at every vertex a list of numbers that describes the surface around it.
 //!
-//! [`shape_index()`] and [`curvedness()`] are functions of the curvatures; [`heat_kernel_signature()`] and
-//! [`wave_kernel_signature()`] come from the spectrum; [`spin_images`], [`shape_contexts`], [`fpfh()`]
-//! and [`shot()`] are histograms of what lies within a ball about the vertex. [`principal_components`] makes a few numbers of the many of two
-//! surfaces, the same combinations on both.
+//! [`shape_index()`] and [`curvedness()`] are functions of the curvatures. [`heat_kernel_signature()`] and
+//! [`wave_kernel_signature()`] come from the spectrum. [`spin_images`], [`shape_contexts`], [`fpfh()`] and [`shot()`]
+//! are histograms over a ball around the vertex. [`principal_components`] reduces the channels of two surfaces to a
+//! few, by the same combinations on both.
 //!
-//! All of them have no unit and do not depend on the size: a ball has a radius that the caller chooses in proportion to the
-//! surface. Whatever is counted is weighted with the area that it stands for, so that a finely sampled part does not count for more.
-//! Scaling a surface and its radius by a power of two changes no bit; every vertex is computed alone, so that any number of threads
-//! gives the same bits.
+//! All descriptors are dimensionless and independent of size: the caller chooses the radius of a ball in proportion to
+//! the surface. Samples are weighted by the area they represent, so that a finely sampled part does not count for more.
+//! Scaling a surface and its radius by a power of two changes no bit. Every vertex is computed independently, so any
+//! number of threads gives the same bits.
 
 mod fpfh;
 mod histogram;
@@ -33,18 +33,18 @@ pub use spin_image::spin_images;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use rayon::prelude::*;
 
-/// Several numbers at every vertex of a surface, without a unit.
+/// Several dimensionless numbers at every vertex of a surface.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Descriptor {
-    /// Numbers of a vertex.
+    /// Numbers per vertex.
     pub n_channels: usize,
-    /// Those of vertex `i` from index `i · n_channels` on.
+    /// The numbers of vertex `i` start at index `i · n_channels`.
     pub values: Vec<f64>,
 }
 
 impl Descriptor {
-    /// `row` of each of `n` vertices, on all threads. A number that is not finite, as where a vertex has no normal, becomes 0. A ball may
-    /// hold the whole surface, so that `observer` is asked at every vertex.
+    /// The `row` of each of `n` vertices, on all threads. Numbers that are not finite, such as those of a vertex
+    /// without a normal, become 0. A ball may hold the whole surface, so `observer` is asked at every vertex.
     fn of_rows(
         n: usize,
         n_channels: usize,

@@ -1,34 +1,35 @@
-//! Few numbers of many: the leading principal components of the descriptors of two surfaces together.
+//! Reduction of descriptors: the leading principal components of two surfaces together.
 
 use super::Descriptor;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-/// Most components.
+/// Largest number of components.
 pub const MAX_COMPONENTS: usize = 8;
-/// Components are added until they hold this share of the variance.
+/// Share of the variance at which no further component is added.
 const EXPLAINED: f64 = 0.95;
 
-/// A variance below this share of the squared mean is rounding, and the channel is left out.
+/// Variance of a channel, as a share of its squared mean, below which it counts as rounding and the channel is left
+/// out.
 const ROUNDING: f64 = 1e-24;
 
-/// Components of two descriptors, the one of largest variance first.
+/// Components of two descriptors, by descending variance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Components {
-    /// A list of values a component, one at every vertex of the first surface.
+    /// Components on the first surface, each a list with one value per vertex.
     pub first: Vec<Vec<f64>>,
-    /// The same on the second surface.
+    /// Components on the second surface.
     pub second: Vec<Vec<f64>>,
     /// Standard deviations of the components.
     pub deviations: Vec<f64>,
 }
 
-/// The leading principal components of `first` and `second` together, at least one, enough for 95 % of the variance, and no more
-/// than [`MAX_COMPONENTS`]. Vertices count for their `areas`, both surfaces for the same. If `standardized`, channels are first
-/// scaled to variance 1: for those that are no histogram of one whole.
+/// The leading principal components of `first` and `second` together: at least one, enough for 95 % of the variance, at
+/// most [`MAX_COMPONENTS`]. Vertices are weighted by their `areas`, and both surfaces have the same total weight. If
+/// `standardized`, channels are first scaled to variance 1, which suits channels that are not bins of one histogram.
 ///
-/// A component has the sign with which its largest coefficient is positive, the first of equal ones.
+/// The sign of a component makes its largest coefficient positive; ties go to the first coefficient.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -53,11 +54,11 @@ pub fn principal_components(
             mean.iter_mut().zip(descriptor.row(i)).for_each(|(m, v)| *m += share * v);
         }
     }
-    // Centered rows times the roots of their shares, so that the covariance is one product.
+    // Centered rows times the square roots of their weights, so that the covariance is one product.
     let mut covariance = DMatrix::<f64>::zeros(c, c);
     for (descriptor, shares) in &sides {
         let rows = DMatrix::from_fn(shares.len(), c, |i, k| shares[i].sqrt() * (descriptor.row(i)[k] - mean[k]));
-        // Column by column, each of which is the same to the bit as in the whole product.
+        // Column by column; each column is the same to the bit as in the whole product.
         let columns: Vec<DVector<f64>> = (0..c)
             .into_par_iter()
             .map(|k| {

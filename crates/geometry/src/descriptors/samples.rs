@@ -4,10 +4,11 @@ use crate::curvature::vertex_areas;
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector3};
 
-/// Most parts of the side of a triangle: a ball of a few triangles says nothing however finely it is looked at.
+/// Largest number of parts per side of a triangle: finer sampling of a ball with only a few triangles adds no
+/// information.
 const MOST_PARTS: usize = 4;
 
-/// Points that stand for the surface about them.
+/// Points that represent the surface around them.
 pub(super) struct Samples {
     pub points: Vec<Point3<f64>>,
     pub normals: Vec<Vector3<f64>>,
@@ -50,14 +51,14 @@ impl Samples {
         samples
     }
 
-    /// As many parts of triangles as make their edges no longer than half of `bin_mm`, at most 4² of each.
+    /// Divides triangles until their edges are no longer than half of `bin_mm`, into at most 4² parts each.
     pub(super) fn finer_than(mesh: &SurfaceMesh, bin_mm: f64) -> Self {
         let parts = 2.0 * mesh.mean_edge_length() / bin_mm;
         Samples::at_triangles(mesh, (parts.ceil() as usize).clamp(1, MOST_PARTS))
     }
 }
 
-/// Two directions that with the unit vector `normal` make a right-handed frame.
+/// Two directions that form a right-handed frame with the unit vector `normal`.
 pub(super) fn tangents(normal: &Vector3<f64>) -> [Vector3<f64>; 2] {
     // The axis farthest from the normal, so that the cross product is well away from zero.
     let u = normal.cross(&Vector3::ith(normal.iamin(), 1.0)).normalize();

@@ -1,10 +1,10 @@
 //! Shape contexts on surfaces: a histogram of the surface about a vertex in spherical coordinates whose pole is the normal.
 //!
-//! Shells are spaced by the logarithm of the radius and a bin counts for the inverse cube root of its volume, as Frome et al. have it.
-//! The direction from which the azimuth is counted is arbitrary. It is left out as in their harmonic shape contexts, by the absolute
-//! values of Fourier coefficients, here over the azimuth alone: `|Σ a e^(imφ)|` for `m` = 0, 1, 2 in each bin of radius and
-//! elevation; `m = 0` is the sum over the azimuth. Square roots are taken, so that the Euclidean distance is that of Hellinger,
-//! which is close to the `χ²` by which Belongie et al. compare.
+//! Shells are spaced by the logarithm of the radius, and a bin is weighted by the inverse cube root of its volume, as
+//! by Frome et al. The origin of the azimuth is arbitrary. As in their harmonic shape contexts, absolute values of
+//! Fourier coefficients remove it, here over the azimuth alone: `|Σ a e^(imφ)|` for `m` = 0, 1, 2 in each bin of radius
+//! and elevation; `m = 0` is the sum over the azimuth. Square roots are taken, so that the Euclidean distance equals
+//! the Hellinger distance, which is close to the `χ²` distance used by Belongie et al.
 //!
 //! Sources: Belongie, Malik, Puzicha, IEEE PAMI 24(4), 2002; Frome, Huber, Kolluri, Bülow, Malik, "Recognizing objects in range
 //! data using regional point descriptors", ECCV 2004.
@@ -17,23 +17,23 @@ use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_primitives::points::NeighborGrid;
 use std::f64::consts::PI;
 
-/// Shells, and bins of elevation between the poles.
+/// Number of shells; number of bins of elevation between the poles.
 const SHELLS: usize = 5;
 const ELEVATIONS: usize = 6;
 /// Harmonics of the azimuth.
 const HARMONICS: usize = 3;
-/// Inner radius of the shells as a share of the outer one; what is nearer is in the innermost shell.
+/// Inner radius of the shells as a share of the outer radius; nearer points fall into the innermost shell.
 const INNER: f64 = 0.1;
 
 /// The shape context of every vertex within `radius_mm`, channel `(shell · 6 + elevation) · 3 + m`.
 ///
 /// # Errors
-/// [`Cancelled`], asked at every vertex.
+/// [`Cancelled`]; the observer is asked at every vertex.
 ///
 /// # Cost
 /// `O(n k)` for `k` parts of triangles in a ball, on all threads.
 pub fn shape_contexts(mesh: &SurfaceMesh, radius_mm: f64, observer: &dyn Observer) -> Result<Descriptor, Cancelled> {
-    // The narrowest bins are those of the inner shells, which count little.
+    // The narrowest bins belong to the inner shells, which have little weight.
     let (samples, normals) = (Samples::finer_than(mesh, radius_mm / 8.0), mesh.vertex_normals());
     let grid = NeighborGrid::new(&samples.points, radius_mm);
     let whole = PI * radius_mm * radius_mm;
@@ -47,7 +47,7 @@ pub fn shape_contexts(mesh: &SurfaceMesh, radius_mm: f64, observer: &dyn Observe
             let distance = squared.sqrt();
             let (x, y, z) = (offset.dot(&u), offset.dot(&v), offset.dot(&n));
             let flat = x.hypot(y);
-            // Along the pole there is no azimuth.
+            // Points on the pole have no azimuth.
             let (cosine, sine) = if flat > 1e-12 * radius_mm { (x / flat, y / flat) } else { (0.0, 0.0) };
             let turns = [[1.0, 0.0], [cosine, sine], [cosine * cosine - sine * sine, 2.0 * cosine * sine]];
             let area = samples.areas[k as usize] / whole;

@@ -1,4 +1,4 @@
-//! Shape index and curvedness: which shape the surface has at a vertex, and how strongly.
+//! Shape index and curvedness: the kind of shape at a vertex, and its strength.
 //!
 //! Source: Koenderink, van Doorn, "Surface shape and curvature scales", Image and Vision Computing 10(8), 1992.
 

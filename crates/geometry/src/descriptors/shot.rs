@@ -1,10 +1,11 @@
-//! Signatures of histograms of orientations: the normals about a vertex, counted in sectors of a ball in a frame of its own.
+//! Signatures of histograms of orientations: the normals around a vertex, counted in sectors of a ball in a local
+//! frame.
 //!
-//! The frame has the axes of the covariance of what lies in the ball, weighted with `R − d`; `z` is the one of least extent and looks
-//! along the normal, `x` the one of most and looks to where more of the area lies. The ball has 8 sectors of azimuth, 2 of elevation and
-//! 2 shells; each has a histogram of 11 bins of the cosine between `z` and the normals in it, and all bins share what they count with
-//! their neighbors. Differences to the publication: vertices count for their area; `z` is oriented by the normal, which a closed
-//! surface has, in place of a majority.
+//! The frame has the axes of the covariance of the points in the ball, weighted with `R − d`. `z` is the axis of least
+//! extent and looks along the normal; `x` is the axis of largest extent and looks to the side with more area. The ball
+//! has 8 sectors of azimuth, 2 of elevation and 2 shells. Each has a histogram of 11 bins of the cosine between `z` and
+//! the normals in it, and all bins share their counts with neighboring bins. Differences from the publication: vertices
+//! are weighted by their area; the normal, which a closed surface has, orients `z` in place of a majority vote.
 //!
 //! Source: Tombari, Salti, Di Stefano, "Unique signatures of histograms for local surface description", ECCV 2010.
 
@@ -25,7 +26,7 @@ const COSINES: usize = 11;
 /// The SHOT descriptor of every vertex within `radius_mm`, of length 1: channel `((azimuth · 2 + elevation) · 2 + shell) · 11 + cosine`.
 ///
 /// # Errors
-/// [`Cancelled`], asked at every vertex.
+/// [`Cancelled`]; the observer is asked at every vertex.
 ///
 /// # Cost
 /// `O(n k)` for `k` vertices in a ball, on all threads.

@@ -1,7 +1,7 @@
 //! Heat and wave kernel signatures of a surface of area 1.
 //!
-//! The signatures themselves are those of [`Spectrum`]. Here the spectrum is scaled to that of a surface of area 1, so that they
-//! have no unit and a larger copy has the same.
+//! [`Spectrum`] computes the signatures. Here the spectrum is scaled to a surface of area 1, which makes the signatures
+//! dimensionless and independent of size.
 //!
 //! Sources: Sun, Ovsjanikov, Guibas, "A concise and provably informative multi-scale signature based on heat diffusion", 2009;
 //! Aubry, Schlickewei, Cremers, "The wave kernel signature", 2011.
@@ -12,32 +12,34 @@ use faer::Mat;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Cancelled, Observer};
 
-/// Eigenfunctions that signatures are made of.
+/// Number of eigenfunctions used for signatures.
 pub(super) const N_FUNCTIONS: usize = 80;
-/// Times or energies.
+/// Number of times or energies.
 pub(super) const N_CHANNELS: usize = 32;
 
-/// The spectrum of the surface scaled to area 1, that signatures are made of. `None` as for [`spectrum`].
+/// The spectrum, for signatures, of the surface scaled to area 1. `None` under the same conditions as [`spectrum`].
 ///
 /// # Errors
 /// [`Cancelled`].
 ///
 /// # Cost
-/// That of 80 eigenpairs.
+/// The cost of 80 eigenpairs.
 pub fn unit_spectrum(mesh: &SurfaceMesh, observer: &dyn Observer) -> Result<Option<Spectrum>, Cancelled> {
-    // First by a power of two, which rounds nothing: the solver has thresholds that do not scale.
+    // The first scaling is by a power of two, which rounds nothing: the solver has thresholds that do not scale.
     let root = mesh.area().sqrt();
     let size = if root.is_normal() { 2f64.powi(-(root.log2().floor() as i32)) } else { 1.0 };
     let Ok(near) = mesh.with_vertices(mesh.vertices().iter().map(|p| p * size).collect()) else { return Ok(None) };
     Ok(spectrum(&near, N_FUNCTIONS, observer)?.map(Spectrum::of_unit_area))
 }
 
-/// The heat kernel signature at 32 times ([`Spectrum::heat_signature`]) over its integral; 1 is the mean.
+/// The heat kernel signature at 32 times ([`Spectrum::heat_signature`]), divided by its integral; the mean over the
+/// surface is 1.
 pub fn heat_kernel_signature(spectrum: &Spectrum) -> Descriptor {
     descriptor(&spectrum.heat_signature(N_CHANNELS))
 }
 
-/// The wave kernel signature at 32 energies ([`Spectrum::wave_signature`]) over its integral; 1 is the mean.
+/// The wave kernel signature at 32 energies ([`Spectrum::wave_signature`]), divided by its integral; the mean over the
+/// surface is 1.
 pub fn wave_kernel_signature(spectrum: &Spectrum) -> Descriptor {
     descriptor(&spectrum.wave_signature(N_CHANNELS))
 }
@@ -49,7 +51,7 @@ fn descriptor(signature: &Mat<f64>) -> Descriptor {
 }
 
 impl Spectrum {
-    /// That of the surface scaled to area 1.
+    /// The spectrum of the surface scaled to area 1.
     #[must_use]
     pub fn of_unit_area(mut self) -> Self {
         let total: f64 = self.areas.iter().sum();

@@ -1,9 +1,10 @@
 //! Spin images: a histogram of the surface in cylindrical coordinates about the normal of a vertex.
 //!
-//! The coordinates of a point are its distance `α` from the line along the normal and its height `β` above the tangent plane; the
-//! angle about the line is left out, so that no direction in the plane has to be chosen. Both are shared bilinearly between bins, as
-//! the authors do; what is counted is area in place of points, which takes the place of their demand for uniform meshes. The support
-//! is a ball, and all of the surface in it counts, also the far side of a thin part (a support angle of 180°): there is no clutter.
+//! The coordinates of a point are its distance `α` from the line along the normal and its height `β` above the tangent
+//! plane. The angle about the line is ignored, so no direction in the plane has to be chosen. Both coordinates are
+//! shared bilinearly between bins, as in the publication. Bins count area instead of points, so meshes need not be
+//! uniform as the authors demand. The support is a ball and includes all of the surface in it, also the far side of a
+//! thin part (a support angle of 180°): there is no clutter.
 //!
 //! Source: Johnson, Hebert, "Using spin images for efficient object recognition in cluttered 3D scenes", IEEE PAMI 21(5), 1999.
 
@@ -15,14 +16,14 @@ use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_primitives::points::NeighborGrid;
 use std::f64::consts::PI;
 
-/// Bins of `α` in `[0, R]` and of `β` in `[−R, R]`: bins of one size both ways.
+/// Bins of `α` in `[0, R]` and of `β` in `[−R, R]`, of equal size.
 pub(super) const BINS: [usize; 2] = [8, 16];
 
 /// The spin image of every vertex within `radius_mm`, channel `a · 16 + b`: areas in units of `πR²`, so that they sum to 1 on a
 /// plane and on any sphere.
 ///
 /// # Errors
-/// [`Cancelled`], asked at every vertex.
+/// [`Cancelled`]; the observer is asked at every vertex.
 ///
 /// # Cost
 /// `O(n k)` for `k` parts of triangles in a ball, on all threads.

@@ -1,4 +1,4 @@
-//! What every descriptor has to hold.
+//! Properties that every descriptor must have.
 
 use super::Descriptor;
 use homolog_mesh::SurfaceMesh;
@@ -15,8 +15,9 @@ pub(super) fn bean(level: u32) -> SurfaceMesh {
     mesh.with_vertices(mesh.vertices().iter().map(bent).collect()).unwrap()
 }
 
-/// Checks `descriptor(mesh, size)` on a bean of that size: the same to the bit at another size that is a power of two and on one
-/// thread, to `rounding` in another pose, and to a share of `sampling` of its spread between a level and the next finer one.
+/// Checks `descriptor(mesh, size)` on a bean of that size: the same to the bit at a size scaled by a power of two and
+/// on one thread, to `rounding` in another pose, and between a level and the next finer one to the share `sampling` of
+/// its spread.
 pub(super) fn check_invariance(
     descriptor: &(dyn Fn(&SurfaceMesh, f64) -> Descriptor + Sync),
     rounding: f64,

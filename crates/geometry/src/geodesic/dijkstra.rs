@@ -1,4 +1,4 @@
-//! Shortest paths on weighted graphs from many sources, with scratch memory that is reused.
+//! Shortest paths on weighted graphs from many sources, with reused scratch memory.
 //!
 //! Source: Dijkstra, "A note on two problems in connexion with graphs", 1959, stopped as soon as all targets are
 //! reached.
@@ -24,7 +24,7 @@ impl WeightedGraph {
         WeightedGraph { graph, lengths }
     }
 
-    /// Appends the neighbours of `vertex`, with the lengths of the edges to them.
+    /// Appends the neighbors of `vertex`, with the lengths of the edges to them.
     pub(super) fn append_neighbors(&self, vertex: u32, next: &mut Vec<(u32, f64)>) {
         let lengths = &self.lengths[self.graph.row(vertex as usize)];
         next.extend(self.graph.neighbors(vertex as usize).iter().copied().zip(lengths.iter().copied()));
@@ -36,7 +36,7 @@ pub(super) struct Dijkstra {
     distance: Vec<f64>,
     settled: Vec<bool>,
     reached: Vec<u32>,
-    // Non-negative distances compare like their bits.
+    // Non-negative distances compare like their bit patterns.
     queue: BinaryHeap<Reverse<(u64, u32)>>,
     next: Vec<(u32, f64)>,
 }
@@ -85,7 +85,7 @@ impl Dijkstra {
         }
     }
 
-    /// Distances from `source` to `targets` (ascending); infinite where no path leads.
+    /// Distances from `source` to `targets` (ascending); infinite for unreachable targets.
     pub(super) fn distances_to(
         &mut self,
         source: u32,

@@ -11,11 +11,11 @@ use super::straight::StraightLines;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::graph::LabelNeighborhoods;
 
-/// Lines are followed this share beyond a bound, so that rounding excludes none that is needed.
+/// Share by which lines are followed beyond a bound, so that rounding excludes no line that is needed.
 const MARGIN: f64 = 1e-9;
 
-/// For every label the geodesic distances to the members of its row, mm. `bounds` has for each an upper bound, as the
-/// length of a path along edges.
+/// For every label the geodesic distances, mm, to the members of its row. `bounds` holds an upper bound for each, such
+/// as the length of a path along edges.
 pub(super) fn geodesic_distances(
     mesh: &SurfaceMesh,
     labels: &LabelNeighborhoods,

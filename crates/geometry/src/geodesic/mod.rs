@@ -1,4 +1,4 @@
-//! Distances along a surface between nearby vertices, the labels of the pairwise potential.
+//! Distances along a surface between nearby vertices, which are the labels of the pairwise potential.
 //!
 //! [`label_neighborhoods`] fills `N_r` with one of three distances `d'` ([`LabelDistance`]), for which Euclidean ≤
 //! geodesic ≤ graph, with equality on every edge. The geodesic distance is exact on the polyhedron, found by unfolding
@@ -19,28 +19,28 @@ use homolog_mesh::SurfaceMesh;
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
 use rayon::prelude::*;
 
-/// Which distance `d'(x, y)` on the target the pairwise potential compares with the length of a source edge.
+/// The distance `d'(x, y)` on the target that the pairwise potential compares with the length of a source edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum LabelDistance {
     /// Straight through space.
     #[default]
     Euclidean,
-    /// The shortest path along edges of the mesh as given; on a quad mesh, no diagonals.
+    /// The shortest path along edges of the mesh; on a quad mesh, diagonals are not edges.
     Graph,
-    /// The shortest path on the surface. A quad stands for the four triangles that its corners make with their mean:
-    /// itself where it is flat, and no diagonal preferred where it is not. Exact on these faces; against the smooth
-    /// surface of which a mesh is a sample, the error falls with the square of the edge length.
+    /// The shortest path on the surface. A quad stands for the four triangles between its corners and their mean: the
+    /// quad itself where it is flat, and no preferred diagonal where it is not. Exact on these faces; relative to the
+    /// smooth surface that the mesh samples, the error falls with the square of the edge length.
     Geodesic,
 }
 
 /// Sources per task. Scratch memory is allocated once per task, so tasks must not be too small.
 const CHUNK: usize = 64;
 
-/// `N_rings` over the vertices of `mesh` with `d'` in mm, as [`LabelDistance`] says; exactly symmetric, 0 for a label
-/// and itself.
+/// `N_rings` over the vertices of `mesh`, with the distance `d'` in mm chosen by [`LabelDistance`]; exactly symmetric,
+/// 0 between a label and itself.
 ///
 /// # Cost
-/// With `k̄` labels a neighbourhood: `O(n k̄)` Euclidean, `O(n k̄ log k̄)` graph, about `O(n k̄^1.5)` geodesic, on all
+/// With `k̄` labels a neighborhood: `O(n k̄)` Euclidean, `O(n k̄ log k̄)` graph, about `O(n k̄^1.5)` geodesic, on all
 /// threads. Every label is computed independently, so any number of threads gives the same bits.
 pub fn label_neighborhoods(mesh: &SurfaceMesh, rings: usize, distance: LabelDistance) -> LabelNeighborhoods {
     let graph = mesh.edge_graph();
@@ -65,8 +65,8 @@ pub fn label_neighborhoods(mesh: &SurfaceMesh, rings: usize, distance: LabelDist
 
 /// Length of every directed edge of `graph`, the edge graph of `mesh`, mm: `ℓ_ij` of the source.
 ///
-/// One function serves all three of [`LabelDistance`]: an edge is straight in space and lies on the surface, on quads
-/// too, so no path between its ends is shorter.
+/// One function serves all variants of [`LabelDistance`]: an edge is straight in space and lies on the surface, on
+/// quads too, so no path between its ends is shorter.
 ///
 /// Cost `O(edges)`.
 pub fn edge_lengths(mesh: &SurfaceMesh, graph: &EdgeGraph) -> Vec<f32> {
@@ -76,7 +76,7 @@ pub fn edge_lengths(mesh: &SurfaceMesh, graph: &EdgeGraph) -> Vec<f32> {
         .collect()
 }
 
-/// For every label the lengths of the shortest paths along edges to the members of its row, which may leave the row.
+/// For every label the lengths of the shortest paths along edges to the members of its row; paths may leave the row.
 fn graph_distances(edges: &WeightedGraph, labels: &LabelNeighborhoods) -> Vec<Vec<f64>> {
     for_every_source(
         labels.n_labels(),

@@ -1,7 +1,7 @@
-//! Shortest paths from a few places to all vertices: along edges and across the two triangles of an edge.
+//! Shortest paths from a few sites to all vertices: along edges and across the two triangles of an edge.
 //!
-//! Longer than the geodesic distance by a few percent at most on even meshes, and much cheaper than the exact distances of
-//! `local.rs`, which are for neighborhoods. Source: Dijkstra 1959.
+//! On even meshes they exceed the geodesic distance by a few percent at most, and cost much less than the exact
+//! distances of `local.rs`, which serve neighborhoods. Source: Dijkstra 1959.
 
 use homolog_mesh::SurfaceMesh;
 use multiversion::multiversion;
@@ -9,10 +9,10 @@ use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-/// For each of `sites` the distances to all vertices of `mesh`, mm; through space between pieces that no path joins.
+/// For each of `sites` the distances to all vertices of `mesh`, mm; Euclidean between pieces that no path joins.
 ///
 /// # Cost
-/// `O(sites · n log n)`, on all threads; any number of them gives the same bits.
+/// `O(sites · n log n)`, on all threads; any number of threads gives the same bits.
 pub fn distances_from(mesh: &SurfaceMesh, sites: &[u32]) -> Vec<Vec<f64>> {
     let paths = Paths::new(mesh);
     let v = mesh.vertices();
@@ -30,16 +30,16 @@ pub fn distances_from(mesh: &SurfaceMesh, sites: &[u32]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Sources whose distances are relaxed side by side.
+/// Number of sources whose distances are relaxed side by side.
 const LANES: usize = 64;
 
-/// Distances between all vertices of `mesh` along its surface, mm, `n × n` and symmetric; through space between pieces that no
-/// path joins. For meshes of some hundred vertices: distances from many sources are relaxed side by side along every
-/// edge, back and forth through the vertices, until none gets shorter.
+/// Distances between all vertices of `mesh` along its surface, mm, `n × n` and symmetric; Euclidean between pieces that
+/// no path joins. For meshes of some hundred vertices: distances from many sources are relaxed side by side along every
+/// edge, back and forth through the vertices, until none decreases.
 ///
 /// # Cost
-/// `O(n² · degree)` a sweep, of which there are ten or so where vertices that are close in space have close indices; memory
-/// `8 n²` bytes. On one thread.
+/// `O(n² · degree)` per sweep, and about ten sweeps if vertices that are close in space have close indices; memory `8
+/// n²` bytes. On one thread.
 pub fn distances_among(mesh: &SurfaceMesh) -> Vec<f32> {
     let (paths, v) = (Paths::new(mesh), mesh.vertices());
     let n = v.len();
@@ -63,11 +63,11 @@ pub fn distances_among(mesh: &SurfaceMesh) -> Vec<f32> {
         }
     }
     let at = |i: usize, j: usize| by_source[j / LANES][i][j % LANES];
-    // Sums along a path in the two directions differ by rounding.
+    // Sums along a path in its two directions differ by rounding.
     (0..n * n).map(|k| at(k / n, k % n).min(at(k % n, k / n))).collect()
 }
 
-/// Edges of a mesh and the straight lines across the two triangles of an edge, unfolded.
+/// Edges of a mesh, and the straight lines across the two unfolded triangles of an edge.
 struct Paths {
     offsets: Vec<usize>,
     steps: Vec<(u32, f64)>,
@@ -96,7 +96,8 @@ impl Paths {
             if c == e {
                 continue;
             }
-            // Both corners in the plane of the unfolded triangles, `p` at the origin and `q` along the first axis.
+            // Both opposite corners in the plane of the unfolded triangles, `p` at the origin and `q` along the first
+            // axis.
             let axis = (q - p) / length;
             let unfolded = |k: u32| {
                 let d = v[k as usize] - p;
@@ -117,7 +118,7 @@ impl Paths {
         Paths { offsets, steps: steps.concat() }
     }
 
-    /// Distances of all vertices from `from`, mm; infinite where no path leads.
+    /// Distances of all vertices from `from`, mm; infinite for unreachable vertices.
     fn from(&self, from: usize) -> Vec<f64> {
         let mut distance = vec![f64::INFINITY; self.offsets.len() - 1];
         distance[from] = 0.0;
@@ -139,7 +140,8 @@ impl Paths {
     }
 }
 
-/// Shortens the `distances` of all vertices, from the first on or `backwards`, by way of their neighbors; whether any got shorter.
+/// Shortens the `distances` of all vertices through their neighbors, from the first vertex on or `backwards`; returns
+/// whether any decreased.
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn relax(paths: &Paths, distances: &mut [[f32; LANES]], backwards: bool) -> bool {
@@ -170,7 +172,7 @@ mod tests {
 
     #[test]
     fn paths_across_an_edge_are_straight_in_the_plane() {
-        // A square of two triangles: the diagonal that is no edge.
+        // A square of two triangles: the diagonal that is not an edge.
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| Point3::new(x, y, 0.0));
         let mesh = SurfaceMesh::new(square.to_vec(), FaceArity::Triangle, vec![0, 1, 2, 0, 2, 3]).unwrap();
         let distance = Paths::new(&mesh).from(1);

@@ -5,10 +5,10 @@ use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::graph::EdgeGraph;
 use nalgebra::Point3;
 
-/// No triangle on the other side, or none in which a line can be continued.
+/// No triangle on the other side, or no triangle in which a line can be continued.
 pub(super) const NOWHERE: u32 = u32::MAX;
 
-/// Triangles with neighbours. A side is one edge of one triangle; triangle `t` has sides `3t`, `3t + 1`, `3t + 2`.
+/// Triangles with neighbors. A side is one edge of one triangle; triangle `t` has sides `3t`, `3t + 1`, `3t + 2`.
 pub(super) struct Polyhedron {
     /// Positions, mm: the vertices of the mesh, then on quads the mean of the corners of every face.
     pub vertices: Vec<Point3<f64>>,
@@ -19,12 +19,12 @@ pub(super) struct Polyhedron {
     fans: Vec<u32>,
 }
 
-/// A side of a triangle, and where its apex, the third corner, lies in the frame of that side.
+/// A side of a triangle, and the position of its apex (the third corner) in the frame of that side.
 pub(super) struct Side {
     pub from: u32,
     pub to: u32,
     pub apex: u32,
-    /// The same edge as a side of the one other triangle there, or [`NOWHERE`].
+    /// The same edge as a side of the one other triangle at it, or [`NOWHERE`].
     pub across: u32,
     /// The foot of the apex along the side, 0 at `from` and 1 at `to`.
     pub along: f64,

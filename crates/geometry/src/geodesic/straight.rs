@@ -10,11 +10,11 @@ use super::dijkstra::Dijkstra;
 use super::polyhedron::{NOWHERE, Polyhedron};
 use nalgebra::Vector2;
 
-/// A path is discarded only if it is longer than another by more than this share: far above rounding, so that two paths
-/// of equal length never exclude each other.
+/// Share by which a path must be longer than another to be discarded: far above rounding, so that two paths of equal
+/// length never exclude each other.
 const SLACK: f64 = 1e-9;
 
-/// Largest number of cones per vertex: a hundred times what four rings of a regular mesh need. Lines wind almost
+/// Largest number of cones per vertex: a hundred times the need of four rings of a regular mesh. Lines wind almost
 /// endlessly around the tip of a needle; there, distances remain upper bounds.
 const MAX_CONES: usize = 1 << 16;
 
@@ -32,7 +32,7 @@ pub(super) struct StraightLines {
 
 /// Lines from the origin that enter a triangle through one of its sides.
 struct Cone {
-    /// The side of the triangle that is entered.
+    /// The side through which the lines enter the triangle.
     side: u32,
     /// The end of that side that is on the right as seen from the origin.
     right_vertex: u32,
@@ -117,7 +117,7 @@ impl StraightLines {
         }
     }
 
-    /// Continues the lines of `cone` through the triangle that they enter.
+    /// Continues the lines of `cone` through the triangle they enter.
     fn cross(&mut self, polyhedron: &Polyhedron, cone: &Cone, bound: f64) {
         let side = &polyhedron.sides[cone.side as usize];
         let enters_at_from = side.from == cone.right_vertex;

@@ -90,7 +90,7 @@ impl PointsOnEdges {
             for (a, joined) in self.joined.iter().enumerate() {
                 for &b in joined {
                     let by_way_of_a = distances[a] + (self.points[a] - self.points[b]).norm();
-                    // Sums in another order differ by rounding, which is no shorter path.
+                    // Sums in another order differ by rounding, which does not count as a shorter path.
                     if by_way_of_a < distances[b] - 1e-12 {
                         distances[b] = by_way_of_a;
                         shorter = true;

@@ -1,7 +1,7 @@
 //! Registration by first-order ellipsoids, which aligns their centers and axes.
 //!
-//! Axes have no sign, so four proper rotations align them, which differ by rotations of 180°. The ellipsoids do not
-//! determine which is right; the distances of the surfaces do.
+//! Axes have no sign, so four proper rotations align them; these differ by rotations of 180°. The ellipsoids do not
+//! determine the right rotation; the distances between the surfaces do.
 
 use super::FirstOrderEllipsoid;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
@@ -9,14 +9,14 @@ use homolog_registration::{ClosestSurfacePoint, RigidTransform};
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// How ellipsoids are aligned.
+/// Options of the alignment of ellipsoids.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EllipsoidOptions {
-    /// Two half axes of one ellipsoid within this ratio make the rotation about the third ambiguous.
+    /// Ratio of two half axes of one ellipsoid below which the rotation about the third is ambiguous.
     pub ambiguous_ratio: f64,
-    /// Whether the pose with the smallest residual is chosen; otherwise the one with the smallest rotation.
+    /// Whether to choose the pose with the smallest residual; otherwise the pose with the smallest rotation is chosen.
     pub resolve: bool,
-    /// Largest number of source points on which residuals are measured, evenly by index.
+    /// Largest number of source points on which residuals are measured, spaced evenly by index.
     pub max_sample: usize,
 }
 
@@ -42,7 +42,7 @@ pub struct EllipsoidPose {
 pub struct EllipsoidRegistration {
     /// All four, the smallest rotation first.
     pub poses: [EllipsoidPose; 4],
-    /// Index of the chosen pose: 0, or that of the smallest residual with [`EllipsoidOptions::resolve`].
+    /// Index of the chosen pose: 0, or with [`EllipsoidOptions::resolve`] the index of the smallest residual.
     pub chosen: usize,
     /// First over second and second over third half axis of the source's ellipsoid.
     pub source_axis_ratios: [f64; 2],
@@ -60,7 +60,7 @@ impl EllipsoidRegistration {
     }
 }
 
-/// Aligns the ellipsoid of the source with that of the target.
+/// Aligns the ellipsoid of the source with the ellipsoid of the target.
 ///
 /// `points`: points of the source surface, mm, at least one; `closest`: the target surface.
 ///

@@ -6,7 +6,7 @@ use homolog_mesh::SurfaceMesh;
 use nalgebra::{Matrix3, Matrix4, Matrix4x3, Point3, Vector3, Vector4};
 use std::f64::consts::PI;
 
-/// Ellipsoids with a half axis below this share of the longest count as flat.
+/// Ellipsoids whose shortest half axis is below this share of the longest count as flat.
 const FLAT_RTOL: f64 = 1e-6;
 
 /// `p(n) = center + A n` for unit vectors `n` of the parameter sphere, with the singular value decomposition of `A`.
@@ -19,9 +19,11 @@ pub struct FirstOrderEllipsoid {
     pub coefficients_mm: [[f64; 3]; 4],
     /// Singular values of `A`, mm, longest first.
     pub half_axes_mm: [f64; 3],
-    /// Directions of the half axes in space, as columns in their order; `det = +1`. The signs of any two are arbitrary.
+    /// Directions of the half axes in space, as columns in the same order; `det = +1`. The signs of any two are
+    /// arbitrary.
     pub axes: Matrix3<f64>,
-    /// The unit vectors of the parameter sphere that map to them, as columns: `A = axes · diag(half axes) · thisᵀ`.
+    /// The unit vectors of the parameter sphere that map to the half axes, as columns: `A = axes · diag(half axes) ·
+    /// thisᵀ`.
     pub parameter_axes: Matrix3<f64>,
 }
 
@@ -41,8 +43,8 @@ impl FirstOrderEllipsoid {
 
 /// Fits `Y₀⁰, Y₁⁻¹, Y₁⁰, Y₁¹` to the vertices of `mesh` at their positions on the sphere.
 ///
-/// Vertices are weighted by their areas on the sphere, so that the sums approximate integrals over the sphere, where
-/// the harmonics are orthonormal, and the coefficients do not depend on the density of the mesh.
+/// Vertices are weighted by their areas on the sphere. The sums then approximate integrals over the sphere, where the
+/// harmonics are orthonormal, and the coefficients do not depend on the density of the mesh.
 ///
 /// # Errors
 /// [`HarmonicsError::Flat`].
@@ -57,7 +59,7 @@ pub fn first_order_ellipsoid(
     let triangles: Vec<[usize; 3]> = mesh.triangles().iter().map(|t| t.map(|k| k as usize)).collect();
     let areas: Vec<f64> = triangles.iter().map(|t| spherical_area(t.map(|k| directions[k]))).collect();
     let weights = vertex_shares(&triangles, &areas, mesh.n_vertices());
-    // About the centroid, so that a surface far from the origin keeps its precision.
+    // Relative to the centroid, which keeps the precision of a surface far from the origin.
     let origin = mesh.centroid();
     let (mut normal_matrix, mut right_side) = (Matrix4::<f64>::zeros(), Matrix4x3::<f64>::zeros());
     for ((p, n), &w) in mesh.vertices().iter().zip(directions).zip(&weights) {
@@ -65,7 +67,7 @@ pub fn first_order_ellipsoid(
         normal_matrix += w * basis * basis.transpose();
         right_side += w * basis * (p - origin).transpose();
     }
-    // Directions that cover the sphere make the matrix nearly the identity.
+    // For directions that cover the sphere the matrix is nearly the identity.
     let Some(factor) = normal_matrix.cholesky() else {
         return Err(HarmonicsError::Flat { half_axes_mm: [0.0; 3] });
     };

@@ -4,9 +4,9 @@
 //! conduction problem, with a jump of 2π across a date line from pole to pole, gives a longitude. Both are linear
 //! systems with one equation per vertex (Brechbühler, Gerig, Kübler 1995).
 //!
-//! Two choices differ from theirs. The poles are the extremes along the longest principal axis instead of z, so that a
-//! moved copy has the same poles. And since the temperature changes fast near the poles, each isotherm is mapped to the
-//! latitude that encloses the same share of the sphere as the isotherm encloses of the surface.
+//! There are two differences from the publication. The poles are the extremes along the longest principal axis instead
+//! of z, so a moved copy has the same poles. The temperature changes fast near the poles, so each isotherm is mapped to
+//! the latitude that encloses the same share of the sphere as the isotherm encloses of the surface.
 
 use super::HarmonicsError;
 use super::sphere::TargetAreas;
@@ -74,7 +74,7 @@ fn find_poles(mesh: &SurfaceMesh, vertex_areas: &[f64]) -> Poles {
     Poles { north, south }
 }
 
-/// Solves `Σ_j w_ij (x_i − x_j) = b_i` for the vertices that are not `held`; those are at their given values.
+/// Solves `Σ_j w_ij (x_i − x_j) = b_i` for all vertices except `held` ones, which keep their given values.
 fn conduct(edges: &WeightedEdges, held: &[Option<f64>], mut b: Vec<f64>) -> Result<Vec<f64>, HarmonicsError> {
     let mut unknown = vec![usize::MAX; held.len()];
     let free: Vec<usize> = (0..held.len()).filter(|&k| held[k].is_none()).collect();
@@ -87,7 +87,7 @@ fn conduct(edges: &WeightedEdges, held: &[Option<f64>], mut b: Vec<f64>) -> Resu
         let mut diagonal = 0.0;
         for (j, w) in edges.neighbors(k) {
             match held[j] {
-                // NaN marks a vertex that is left out of the system.
+                // NaN marks a vertex outside the system.
                 Some(value) if value.is_nan() => {}
                 Some(value) => {
                     diagonal += w;
@@ -122,7 +122,7 @@ fn temperatures(edges: &WeightedEdges, poles: &Poles) -> Result<Vec<f64>, Harmon
     conduct(edges, &held, vec![0.0; held.len()])
 }
 
-/// The longitude of every vertex but the poles, radians, up to multiples of 2π.
+/// The longitude of every vertex except the poles, radians, up to multiples of 2π.
 fn longitudes(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Result<Vec<f64>, HarmonicsError> {
     let line = date_line(edges, poles, temperature);
     let [_, first, .., _] = line[..] else {
@@ -149,8 +149,8 @@ fn longitudes(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Resu
     conduct(edges, &held, b)
 }
 
-/// The path from the north to the south pole by the warmest neighbor. The temperature has no maximum in between, so the
-/// path arrives, and no two of its vertices are neighbors unless consecutive.
+/// The path from the north to the south pole through the warmest neighbors. The temperature has no maximum in between,
+/// so the path arrives, and only consecutive vertices of it are neighbors.
 fn date_line(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Vec<usize> {
     let mut line = vec![poles.north];
     let mut here = poles.north;
@@ -158,7 +158,7 @@ fn date_line(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Vec<u
         let warmest =
             edges.neighbors(here).map(|(j, _)| j).reduce(|a, b| if temperature[b] > temperature[a] { b } else { a });
         match warmest {
-            // Rounding could create a plateau, where the path ends and the map gets folds.
+            // Rounding can create a plateau; there the path ends and the map gets folds.
             Some(next) if temperature[next] > temperature[here] => here = next,
             _ => break,
         }

@@ -1,14 +1,14 @@
 //! First-order spherical harmonics of closed surfaces, and the registration by their ellipsoids.
 //!
-//! A surface of genus 0 is mapped one to one onto the unit sphere ([`parametrize`]); the spherical harmonics of degree
-//! 0 and 1 that fit its points best over that sphere make an ellipsoid, the *first-order ellipsoid*
-//! ([`first_order_ellipsoid`]); two surfaces are registered by aligning the axes of their ellipsoids
+//! A surface of genus 0 is mapped one to one onto the unit sphere ([`parametrize`]). The spherical harmonics of degree
+//! 0 and 1 that best fit its points over that sphere form an ellipsoid, the *first-order ellipsoid*
+//! ([`first_order_ellipsoid`]). Two surfaces are registered by aligning the axes of their ellipsoids
 //! ([`register_by_ellipsoids`]). This is the classic baseline of shape analysis: global, without an initial pose, and
 //! ambiguous in the sign of the axes.
 //!
 //! Source: Brechbühler, Gerig, Kübler, "Parametrization of closed surfaces for 3-D shape description", Computer Vision
-//! and Image Understanding 61(2), 1995. The initial map by heat conduction is theirs; the optimization has the same
-//! aims (equal areas, least distortion, no fold) but another method, see `relaxation`.
+//! and Image Understanding 61(2), 1995. The initial map by heat conduction follows the publication. The optimization
+//! has the same aims (equal areas, least distortion, no folds) but uses another method, see `relaxation`.
 
 mod alignment;
 mod first_order;
@@ -43,7 +43,7 @@ pub enum HarmonicsError {
     /// The two poles of the surface are neighbors.
     #[error("{n_vertices} vertices are too few to separate the two ends of the surface")]
     TooCoarse {
-        /// Vertices there are.
+        /// Number of vertices of the surface.
         n_vertices: usize,
     },
     /// The linear system of the heat conduction has no unique solution.
@@ -52,7 +52,7 @@ pub enum HarmonicsError {
     /// The folds of the initial map could not be removed.
     #[error("{n_triangles} triangles remain folded on the sphere")]
     Folded {
-        /// Triangles of negative area on the sphere.
+        /// Number of triangles with negative area on the sphere.
         n_triangles: usize,
     },
     /// The first-order ellipsoid is flat.
@@ -66,14 +66,14 @@ pub enum HarmonicsError {
     Cancelled(#[from] Cancelled),
 }
 
-/// How a surface is mapped onto the sphere.
+/// Options of the map onto the sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ParametrizationOptions {
     /// Largest number of optimization steps.
     pub max_iterations: u32,
     /// The optimization ends when the energy falls by less than this share over ten steps.
     pub tolerance: f64,
-    /// Weight of the stretching energy against the area energy; small and positive. At 0 all area-preserving maps
+    /// Weight of the stretching energy relative to the area energy; small and positive. At 0 all area-preserving maps
     /// would be equally good.
     pub stretching: f64,
 }
@@ -90,14 +90,14 @@ pub struct Parametrization {
     /// Position of every vertex on the unit sphere. All triangles (quads cut along their first diagonal) keep their
     /// orientation there and cover the sphere once.
     pub directions: Vec<Vector3<f64>>,
-    /// Area-weighted root mean square of `area on the sphere / area on the surface − 1`, both scaled to sum 1; 0 is an
+    /// Area-weighted root mean square of `area on the sphere / area on the surface − 1`, both scaled to sum 1; 0 for an
     /// area-preserving map.
     pub area_distortion: f64,
-    /// Number of triangles that the initial map had folded.
+    /// Number of triangles that were folded in the initial map.
     pub n_unfolded: usize,
     /// Number of optimization steps.
     pub iterations: u32,
-    /// Whether the optimization ended by its tolerance.
+    /// Whether the optimization reached its tolerance.
     pub converged: bool,
 }
 

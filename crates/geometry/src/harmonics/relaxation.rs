@@ -5,16 +5,15 @@
 //! `E = Σ_f 2 A_f² / det_f + μ/2 Σ_ij w_ij ‖nᵢ − nⱼ‖²`
 //!
 //! with the target area `A_f` of triangle `f`, the determinant `det_f` of its corners (nearly twice its area on the
-//! sphere) and the weights `w_ij` of the edges. As the areas on the sphere always sum to `4π`, the first sum is
-//! smallest when they equal the target areas; it diverges as a triangle collapses, so a descent from a map without
-//! folds creates none. The second sum selects the one that stretches least among the many area-preserving maps.
+//! sphere) and the weights `w_ij` of the edges. The areas on the sphere always sum to `4π`, so the first sum is
+//! smallest when they equal the target areas. It diverges as a triangle collapses, so a descent from a map without
+//! folds creates none. The second sum selects the map with the least stretching among the many area-preserving maps.
 //!
 //! The Hessians of both terms resemble a Laplacian, so the Laplacian of the surface is the preconditioner. With it the
 //! number of steps hardly depends on the number of vertices.
 //!
-//! Source: the objective and constraints of Brechbühler, Gerig, Kübler 1995 (stretching, areas) combined in one energy
-//! with a barrier; the barrier is that of symmetric distortion energies (Smith, Schaefer, ACM Trans. Graph. 34(4),
-//! 2015).
+//! Source: the objective and constraints of Brechbühler, Gerig, Kübler 1995 (stretching, areas), combined in one energy
+//! with the barrier of symmetric distortion energies (Smith, Schaefer, ACM Trans. Graph. 34(4), 2015).
 
 use super::sphere::{TargetAreas, determinant};
 use super::weights::WeightedEdges;
@@ -31,7 +30,7 @@ pub(super) struct Relaxed {
     pub converged: bool,
 }
 
-/// Minimizes the energy of the map `directions`, which must have no folds and keeps none.
+/// Minimizes the energy of the map `directions`, which must have no folds; the result has none either.
 ///
 /// # Errors
 /// [`HarmonicsError::NotPositiveDefinite`]; [`HarmonicsError::Cancelled`].
@@ -72,8 +71,8 @@ fn preconditioner(edges: &WeightedEdges, areas: &TargetAreas) -> Result<Cholesky
         .ok_or(HarmonicsError::NotPositiveDefinite)
 }
 
-/// The energy as a function of arbitrary vectors, of which only the directions matter. So steps need not stay on the
-/// sphere, and gradients at different points can be compared.
+/// The energy as a function of arbitrary vectors, of which only the directions count. Steps therefore need not stay on
+/// the sphere, and gradients at different points can be compared.
 struct MapEnergy<'a> {
     edges: &'a WeightedEdges,
     areas: &'a TargetAreas,

@@ -1,4 +1,4 @@
-//! Spherical harmonics of any degree that are fitted to a surface over its parameter sphere.
+//! Spherical harmonics of any degree, fitted to a surface over its parameter sphere.
 //!
 //! Sources: Brechbühler, Gerig, Kübler 1995; Styner et al., "Framework for the statistical shape analysis of brain
 //! structures using SPHARM-PDM", Insight Journal, 2006. The associated Legendre functions are computed by the recurrence
@@ -13,13 +13,14 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone, PartialEq)]
 pub struct HarmonicSeries {
     degree: u32,
-    /// `(degree + 1)²` coefficients, mm, a row each for x, y and z.
+    /// `(degree + 1)²` coefficients, mm, each with components x, y and z.
     coefficients_mm: Vec<Vector3<f64>>,
 }
 
 impl HarmonicSeries {
-    /// The series of `degree` that fits `points`, mm, at their unit vectors `directions` best, with `weights` (areas on the
-    /// sphere). `None` if the directions do not determine it: fewer than `(degree + 1)²`, or numbers that are not finite.
+    /// The series of `degree` that best fits `points`, mm, at their unit vectors `directions`, with `weights` (areas on
+    /// the sphere). `None` if the directions do not determine the series: fewer than `(degree + 1)²`, or numbers that
+    /// are not finite.
     ///
     /// # Cost
     /// `O(n d⁴ + d⁶)` for degree `d`.

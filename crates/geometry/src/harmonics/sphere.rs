@@ -4,7 +4,7 @@ use homolog_mesh::SurfaceMesh;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-/// Smallest target area as a share of the mean, so that degenerate triangles have a positive area on the sphere.
+/// Smallest target area as a share of the mean: degenerate triangles get a positive area on the sphere.
 const SMALLEST_SHARE: f64 = 1e-2;
 
 /// The triangles of a surface and their target areas on the unit sphere, which sum to `4π`.
@@ -36,7 +36,8 @@ impl TargetAreas {
         vertex_shares(&self.triangles, &self.areas, self.n_vertices)
     }
 
-    /// Triangles whose determinant is at most twice `share` of their area: folded for `0`, crushed for a little more.
+    /// Triangles whose determinant is at most twice `share` of their area: folded for `0`, crushed for slightly larger
+    /// values.
     pub(super) fn smaller_than(&self, share: f64, directions: &[Vector3<f64>]) -> Vec<usize> {
         (0..self.triangles.len())
             .filter(|&f| determinant(self.triangles[f].map(|k| directions[k])) <= 2.0 * share * self.areas[f])

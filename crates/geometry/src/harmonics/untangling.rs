@@ -1,7 +1,7 @@
 //! Removes the folds of the initial map: vertices near them move to the weighted mean of their neighbors.
 //!
-//! With positive weights and a fixed boundary this is Tutte's embedding of the patch on the sphere, which has no folds
-//! if the patch is convex. Patches grow as long as folds remain.
+//! With positive weights and a fixed boundary the result is Tutte's embedding of the patch on the sphere, which has no
+//! folds if the patch is convex. Patches grow as long as folds remain.
 
 use super::HarmonicsError;
 use super::sphere::TargetAreas;
@@ -9,8 +9,8 @@ use super::weights::WeightedEdges;
 use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::Vector3;
 
-/// Triangles smaller than this share of their target area count as folded in the first rounds, because they would slow
-/// the optimization. Later rounds treat true folds only, because large patches would shrink.
+/// Share of its target area below which a triangle counts as folded in the first rounds, because it would slow the
+/// optimization. Later rounds treat true folds only, because large patches would shrink.
 const CRUSHED: f64 = 1e-3;
 const CRUSHED_ROUNDS: usize = 6;
 /// Largest number of rounds, sweeps per round, and rounds after which patches grow by a ring.

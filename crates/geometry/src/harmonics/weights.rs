@@ -9,22 +9,22 @@ use std::collections::BTreeMap;
 /// Smallest conductance as a share of the mean: the maximum principle needs positive weights, and cotangents of obtuse
 /// angles are negative.
 const FLOOR: f64 = 0.05;
-/// Largest conductance as a multiple of the mean, so that needle triangles do not merge their vertices.
+/// Largest conductance as a multiple of the mean: needle triangles then do not merge their vertices.
 const CEILING: f64 = 20.0;
 
 /// An edge graph with one weight per directed edge, symmetric.
 pub(super) struct WeightedEdges {
     pub graph: EdgeGraph,
-    /// By directed edge.
+    /// Weights by directed edge.
     pub weights: Vec<f64>,
     /// `(a, b) → c`: around `a`, counter-clockwise seen from outside, `c` follows `b`.
     following: BTreeMap<(u32, u32), u32>,
 }
 
 impl WeightedEdges {
-    /// Cotangent weights (Pinkall, Polthier 1993), clamped between the two limits. On quads they are the mean over both
-    /// triangulations without the diagonals, which gives every edge of a square grid the same weight, as in Brechbühler
-    /// et al.
+    /// Cotangent weights (Pinkall, Polthier 1993), clamped between the two limits. On quads the weights are the mean
+    /// over both triangulations without the diagonals, which gives every edge of a square grid the same weight, as in
+    /// Brechbühler et al.
     pub(super) fn new(mesh: &SurfaceMesh) -> Result<Self, HarmonicsError> {
         let graph = mesh.edge_graph();
         if let Some(vertex) = (0..graph.n_vertices()).find(|&v| graph.neighbors(v).is_empty()) {
@@ -64,16 +64,16 @@ impl WeightedEdges {
         self.graph.n_vertices()
     }
 
-    /// The neighbours of `vertex` with their weights.
+    /// The neighbors of `vertex` with their weights.
     pub(super) fn neighbors(&self, vertex: usize) -> impl Iterator<Item = (usize, f64)> {
         self.graph.row(vertex).map(|e| (self.graph.head(e), self.weights[e]))
     }
 
-    /// The neighbours of `at` strictly between `from` and `to`, counter-clockwise seen from outside.
+    /// The neighbors of `at` strictly between `from` and `to`, counter-clockwise seen from outside.
     pub(super) fn between(&self, at: u32, from: u32, to: u32) -> Vec<u32> {
         let mut found = Vec::new();
         let mut neighbor = from;
-        // A closed manifold gives every vertex one cycle of neighbours; the bound ends the walk on anything else.
+        // A closed manifold gives every vertex one cycle of neighbors; the bound ends the walk on anything else.
         for _ in 0..self.graph.neighbors(at as usize).len() {
             match self.following.get(&(at, neighbor)) {
                 Some(&next) if next != to => {

@@ -1,6 +1,6 @@
-//! The homolog side of the comparison with PGMax: exports the energy that both minimise, and times its minimisation.
+//! The homolog side of the comparison with PGMax: exports the energy that both minimize, and times its minimization.
 //!
-//! `export DIR` writes the energy as `.npy`; `measure sparse|full THREADS ITERATIONS` minimises it and prints a row.
+//! `export DIR` writes the energy as `.npy`; `measure sparse|full THREADS ITERATIONS` minimizes it and prints a row.
 //! `benches/pgmax/run` calls both and then `peer.py`. No test depends on this benchmark.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic)]
 
@@ -24,7 +24,7 @@ const RUNS: usize = 5;
 
 fn model() -> MrfModel {
     let (source, target) = pair(EDGE_MM);
-    // A distance term, so that the potential differs between pairs of neighbours.
+    // A distance term, so that the potential differs between pairs of neighbors.
     energy_model(&source, &target, &resolve(&json!({"energy": {"beta": 0.5}})).unwrap()).unwrap()
 }
 
@@ -64,11 +64,7 @@ fn export(folder: &Path) {
         }
     }
     write_npy(&folder.join("tables.npy"), "<f4", &[edges.len(), labels, labels], &floats(&tables));
-    println!(
-        "{n} variables, {labels} labels, {} edges, neighbourhoods of {:.1}",
-        edges.len(),
-        model.labels.mean_size()
-    );
+    println!("{n} variables, {labels} labels, {} edges, neighborhoods of {:.1}", edges.len(), model.labels.mean_size());
 }
 
 fn measure(update: &str, threads: usize, iterations: u32) {

@@ -3,7 +3,7 @@
 use super::statistics::Summary;
 use serde::{Deserialize, Serialize};
 
-/// The whole report; `report.json` is this.
+/// The whole report, stored as `report.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReportDocument {
     /// Version, commit, date and machine.
@@ -34,7 +34,7 @@ pub struct ReportProvenance {
 pub struct Section {
     /// Identifier for file names and links.
     pub id: String,
-    /// Its heading.
+    /// Heading.
     pub title: String,
     /// The question it answers.
     pub question: String,
@@ -59,7 +59,7 @@ pub struct Section {
 pub struct Table {
     /// Identifier for the name of its CSV file.
     pub id: String,
-    /// What it shows.
+    /// Heading.
     pub title: String,
     /// Its columns.
     pub columns: Vec<Column>,
@@ -140,7 +140,7 @@ impl Cell {
 /// A plot.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Plot {
-    /// What it shows.
+    /// Heading.
     pub title: String,
     /// Kind of plot.
     pub kind: PlotKind,
@@ -169,7 +169,7 @@ pub enum PlotKind {
 /// An axis of a plot.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Axis {
-    /// What it measures.
+    /// The measured quantity.
     pub label: String,
     /// Unit, if there is one.
     pub unit: Option<String>,

@@ -54,7 +54,7 @@ pub(super) fn page(report: &ReportDocument) -> String {
     }
     term(&mut out, "Scope", extent);
     out.push_str(
-        "</dl>\n<p>Dense correspondence between two surfaces is found by minimising the energy of a Markov random field, and \
+        "</dl>\n<p>Dense correspondence between two surfaces is found by minimizing the energy of a Markov random field, and \
          a rigid transform is estimated from the corresponding points by RANSAC. Energies have no unit; lower is better. \
          Values with ± are mean ± standard deviation over pairs; the CSV files beside this page also hold the number of \
          pairs, medians and quartiles.</p>\n</header>\n",
@@ -129,7 +129,7 @@ fn shown(cell: &Cell, column: &Column) -> String {
     }
 }
 
-/// With `digits` decimals, or in scientific notation where all of these would be 0.
+/// A number with `digits` decimals, or in scientific notation where all of these would be 0.
 fn rounded(value: f64, digits: usize) -> String {
     let smallest = 0.5 * 10f64.powi(-(digits as i32));
     if value != 0.0 && value.abs() < smallest { format!("{value:.1e}") } else { format!("{value:.digits$}") }

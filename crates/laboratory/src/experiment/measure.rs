@@ -55,7 +55,7 @@ pub(super) fn measure_match(pair: &Pair, request: &Value, clock: &Clock) -> Resu
     observed_match(pair, request, clock).map(|(measurement, _)| measurement)
 }
 
-/// The effective parameters of `request`. A request that names no method is an experiment on the energy itself: every
+/// The effective parameters of `request`. A request without a method is an experiment on the energy itself: every
 /// vertex is a variable, and the labeling is the result.
 pub(super) fn studied(request: &Value) -> Result<MatchParameters, String> {
     let named = |faults: Vec<ParameterError>| {
@@ -75,7 +75,7 @@ pub(super) fn studied(request: &Value) -> Result<MatchParameters, String> {
     Ok(parameters)
 }
 
-/// As [`measure_match`], and returns the outcome too.
+/// Like [`measure_match`]; also returns the outcome.
 pub(super) fn observed_match(
     pair: &Pair,
     request: &Value,
@@ -117,7 +117,7 @@ fn trace(m: &mut Measurement, seen: &Recorded) {
     m.set("iterations", seen.points.iter().filter(|(_, p)| p.phase == Phase::Inference).count() as f64);
 }
 
-/// The numbers of the result document, with their names in it.
+/// The numbers of the result document, under the names they have in it.
 fn documents(m: &mut Measurement, outcome: &MatchOutcome) {
     let parts = [
         ("", serde_json::to_value(&outcome.topology)),
@@ -134,7 +134,7 @@ fn documents(m: &mut Measurement, outcome: &MatchOutcome) {
             }
         }
     }
-    // The rounds count variables, of which every source vertex is one unless a coarse level was asked for.
+    // The rounds count variables; every source vertex is one, unless a coarse level was requested.
     if let Some((first, energy)) = outcome.rounds.first().zip(outcome.energy.as_ref()) {
         m.set("first_support_ratio", f64::from(first.support) / f64::from(energy.n_variables));
     }

@@ -1,4 +1,4 @@
-//! The evaluation: how accurate each method is on phantoms and on real hippocampi, in one report.
+//! The evaluation: the accuracy of each method on phantoms and on real hippocampi, in one report.
 //!
 //! A section answers one question. It plans **units** (a setting on a pair), which are computed one after another and
 //! stored, so that an interrupted report resumes where it stopped; from the finished units it makes tables, plots and a
@@ -44,13 +44,13 @@ use units::{Ending, FinishedUnit, UnitStore, key};
 /// A monotonic clock.
 pub type Clock = Box<dyn Fn() -> Duration + Sync>;
 
-/// Peak memory of matching a source to a target with the parameters of a request in a process of its own, bytes; or one line
-/// that says why it is not known.
+/// Measures the peak memory, bytes, of matching a source to a target with the parameters of a request in a separate
+/// process; or returns one line with the reason why it is unknown.
 pub type MemoryMeter = Box<dyn Fn(&SurfaceMesh, &SurfaceMesh, &Value) -> Result<u64, String> + Sync>;
 
-/// Which sections to run, on which data, and where to write the report.
+/// The sections to run, their data, and the destination of the report.
 pub struct ExperimentOptions {
-    /// Folder with `hippocampus/*.nii.gz`; without it there are no real pairs.
+    /// Folder with `hippocampus/*.nii.gz`; if there is none, there are no real pairs.
     pub data: PathBuf,
     /// Folder for the report; finished units in it are not computed again.
     pub out: PathBuf,
@@ -58,13 +58,13 @@ pub struct ExperimentOptions {
     pub quick: bool,
     /// Only the sections with these ids, in the order of the report; all if empty.
     pub sections: Vec<String>,
-    /// Folder that `make accuracy` wrote; its table becomes the last section.
+    /// Folder written by `make accuracy`; its table becomes the last section.
     pub accuracy: Option<PathBuf>,
     /// Provenance printed in the report. Finished units of another version or commit are computed again.
     pub provenance: ReportProvenance,
-    /// The clock that units are timed with.
+    /// The clock for timing units.
     pub clock: Clock,
-    /// What measures the memory of matches; without it the report has none.
+    /// Measures the memory of matches; `None` leaves memory out of the report.
     pub memory: Option<MemoryMeter>,
 }
 
@@ -96,21 +96,21 @@ pub struct ExperimentReport {
     pub failed: usize,
 }
 
-/// Why there is no report.
+/// Reasons why there is no report.
 #[derive(Debug, thiserror::Error)]
 pub enum ExperimentError {
     /// A file cannot be read or written.
     #[error("cannot use {}: {source}", path.display())]
     File {
-        /// Which.
+        /// The file.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: io::Error,
     },
     /// No section has this id.
     #[error("there is no section {id}; the sections are {known}")]
     UnknownSection {
-        /// Asked for.
+        /// The requested id.
         id: String,
         /// All ids, separated by commas.
         known: String,
@@ -128,7 +128,7 @@ pub fn section_ids() -> impl Iterator<Item = &'static str> {
 /// [`ExperimentError`].
 ///
 /// # Cost
-/// Under a minute if quick, else up to 40 minutes on two cores; every unit uses all cores.
+/// Under a minute if quick, otherwise up to 40 minutes on two cores; every unit uses all cores.
 pub fn run(
     options: &ExperimentOptions,
     progress: &mut dyn FnMut(&Progress<'_>),

@@ -140,8 +140,8 @@ pub(super) fn cross_pair(source: &Subject, target: &Subject, seed: u64) -> Resul
 /// Voxels between a deformed structure and the border of its volume.
 const MARGIN: f64 = 4.0;
 
-/// A subject, and the surface that is made of its labels after a smooth deformation and a rotation, on voxels of the same size: the
-/// truth is known everywhere, and the surfaces share no vertex and no step of a voxel.
+/// A subject, and the surface made from its labels after a smooth deformation and a rotation, on voxels of the same
+/// size. The truth is known everywhere, and the surfaces share neither vertices nor voxel steps.
 pub(super) fn warped_pair(
     subject: &Subject,
     volume: &LabelVolume,
@@ -232,12 +232,13 @@ mod tests {
         let (index, edge_mm) = (ClosestPointIndex::new(target), target.mean_edge_length());
         let truth = pair.truth.unwrap();
         let off: Vec<f64> = truth.iter().map(|p| (index.closest(p).point - p).norm() / edge_mm).collect();
-        // Voxels of another grid round the same structure otherwise; the bounds are from before it was measured.
+        // The voxels of another grid round the same structure differently; the bounds were fixed before the
+        // measurement.
         let mean = off.iter().sum::<f64>() / off.len() as f64;
         assert!(mean < 0.25 && off.iter().all(|&d| d < 1.0), "{mean}");
         let at_vertex = |p: &Point3<f64>| target.vertices().iter().any(|q| (q - p).norm() < 1e-3 * edge_mm);
         assert!(!truth.iter().any(at_vertex), "a true corresponding point is a vertex");
-        // The deformation is what was asked for, besides the pose.
+        // Apart from the pose, the deformation has the requested strength.
         let (low, high) = source.bounding_box();
         let pose = pair.pose.unwrap();
         let squares: f64 = source.vertices().iter().zip(&truth).map(|(p, q)| (pose.apply(p) - q).norm_squared()).sum();

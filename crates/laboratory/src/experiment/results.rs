@@ -7,7 +7,7 @@ use super::units::{Ending, FinishedUnit, Measurement};
 /// A column of a table over settings.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Metric {
-    /// Its name in [`Measurement`].
+    /// Key in [`Measurement`].
     pub(super) key: &'static str,
     /// Heading.
     pub(super) name: &'static str,
@@ -127,7 +127,7 @@ impl<'a> Group<'a> {
         self.summary(configuration, key).map(|s| s.mean)
     }
 
-    /// The setting with the largest (or smallest) mean; of equal ones, the first.
+    /// The setting with the largest (or smallest) mean; ties go to the first.
     pub(super) fn best(&self, key: &str, largest: bool) -> Option<(&'a str, Summary)> {
         let all = self.configurations().into_iter().filter_map(|c| Some((c, self.summary(c, key)?)));
         all.reduce(|best, next| {

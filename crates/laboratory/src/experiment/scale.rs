@@ -22,7 +22,7 @@ impl Scale {
             let (low, high) = (low.log10().floor(), high.log10().ceil());
             return Some(Scale { low, high: high.max(low + 1.0), step: 1.0, log });
         }
-        // A single value is in the middle of an axis as long as the value.
+        // A single value lies in the middle of an axis as long as the value.
         let margin = if high > low { 0.0 } else { 0.5 * high.abs().max(1.0) };
         let (low, high) = (low - margin, high + margin);
         let step = round_step((high - low) / 5.0);

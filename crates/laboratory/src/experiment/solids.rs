@@ -13,7 +13,7 @@ fn star_shaped(levels: u32, place: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Re
     sphere.with_vertices(vertices).map_err(|e| e.to_string())
 }
 
-/// A shape to which bumps are added, so that it has no symmetry.
+/// A shape to which bumps are added, which removes its symmetry.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Form {
@@ -53,7 +53,7 @@ impl Form {
 const N_BUMPS: usize = 12;
 /// Largest height or depth of a bump, as a share of the radius.
 const HEIGHT: f64 = 0.08;
-/// The same for the additional bumps of a copy.
+/// The same limit for the additional bumps of a copy.
 const OWN_HEIGHT: f64 = 0.02;
 /// Width of a bump, radians.
 const WIDTH: f64 = 0.35;
@@ -64,7 +64,7 @@ fn bumps(seed: u64, height: f64) -> Vec<(Vector3<f64>, f64)> {
     (0..N_BUMPS).map(|_| (draws.normals().normalize(), height * (2.0 * draws.unit() - 1.0))).collect()
 }
 
-/// How a solid differs from the others of its shape.
+/// Differences of a solid from others of its shape.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Individual {
     /// Seed of the bumps that distinguish it from others of its shape.

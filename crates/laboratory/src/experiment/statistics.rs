@@ -20,7 +20,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Of the finite ones among `values`; `None` if there are none. Cost `O(n log n)`.
+    /// Statistics of the finite numbers among `values`; `None` if there are none. Cost `O(n log n)`.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
         sorted.sort_by(f64::total_cmp);
@@ -35,7 +35,7 @@ impl Summary {
         Some(Summary { n, mean, sd, q1: at(0.25), median: at(0.5), q3: at(0.75) })
     }
 
-    /// The summary in another unit: everything times `factor > 0`, for example 100 for percent.
+    /// The summary in another unit: all values times `factor > 0`, for example 100 for percent.
     pub fn scaled(&self, factor: f64) -> Self {
         Summary {
             n: self.n,

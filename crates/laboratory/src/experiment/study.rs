@@ -1,4 +1,4 @@
-//! Shared by all sections: the pairs on which they run, and the clock.
+//! Shared by all sections: their pairs, and the clock.
 
 use super::hippocampi::{Hippocampi, Subject};
 use super::measure::measure_match;
@@ -26,7 +26,7 @@ pub(super) const SOLIDS: &str = "solids";
 /// RMS deformation of the synthetic pairs, as a share of the diagonal.
 pub(super) const DEFORM_SHARE: f64 = 0.04;
 
-/// How to make a pair.
+/// Recipe of a pair.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum PairRecipe {
@@ -142,7 +142,7 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// Real subjects with copies that are deformed as much as phantoms are, and rotated; other subjects than those of
+    /// Real subjects with copies that are deformed as much as phantoms and rotated; other subjects than in
     /// [`Study::copies`].
     pub(super) fn warped(&self, full: usize) -> Vec<Case> {
         let Some(data) = self.hippocampi.as_ref().filter(|_| !self.quick) else { return Vec::new() };
@@ -157,7 +157,7 @@ impl<'o> Study<'o> {
             .collect()
     }
 
-    /// The reason if there are no real pairs.
+    /// The reason why there are no real pairs, if there are none.
     pub(super) fn real_absent(&self) -> Option<String> {
         if self.quick {
             return Some("The quick report has no real data.".to_owned());

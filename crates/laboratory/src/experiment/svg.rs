@@ -41,7 +41,7 @@ impl Frame {
     }
 }
 
-/// The plot as an `svg` element; none if nothing in it can be drawn.
+/// The plot as an `svg` element; `None` if nothing in it can be drawn.
 pub(super) fn svg(plot: &Plot) -> Option<String> {
     let drawn = |x: f64, y: f64| (!plot.x.log || x > 0.0) && (!plot.y.log || y > 0.0) && x.is_finite() && y.is_finite();
     let mut plot = plot.clone();

@@ -148,7 +148,7 @@ fn the_csv_tables_contain_the_numbers_of_the_json() {
 fn one_section_can_be_run_alone_and_an_unknown_one_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let error = run(&options(folder.path(), &["magic"]), &mut |_| ()).unwrap_err();
-    assert!(error.to_string().contains("there is no section magic; the sections are thesis, minimisers, products"));
+    assert!(error.to_string().contains("there is no section magic; the sections are thesis, minimizers, products"));
     assert!(fs::read_dir(folder.path()).unwrap().next().is_none());
     let mut ids = BTreeMap::new();
     for id in section_ids() {

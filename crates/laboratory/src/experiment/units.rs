@@ -23,14 +23,14 @@ pub(super) struct Measurement {
 }
 
 impl Measurement {
-    /// Adds a number. One that is not finite cannot be represented in JSON and is left out.
+    /// Adds a number. Numbers that are not finite cannot be represented in JSON and are left out.
     pub(super) fn set(&mut self, name: &str, value: f64) {
         if value.is_finite() {
             self.values.insert(name.to_owned(), value);
         }
     }
 
-    /// With one more number.
+    /// Returns the measurement with one more number.
     #[must_use]
     pub(super) fn with(mut self, name: &str, value: f64) -> Self {
         self.set(name, value);
@@ -106,7 +106,7 @@ impl UnitStore {
             .map(|unit| (unit.key.clone(), unit))
             .collect();
         let mut file = OpenOptions::new().create(true).append(true).open(path).map_err(fault)?;
-        // After a partial line, the next unit must begin on a new line.
+        // After an incomplete line, the next unit must begin on a new line.
         if !text.is_empty() && !text.ends_with('\n') {
             file.write_all(b"\n").map_err(fault)?;
         }

@@ -1,12 +1,12 @@
-//! Known deformations and poses: the map from a phantom to the other phantom of its pair, point by point.
+//! Known deformations and poses: the pointwise map between the two phantoms of a pair.
 
 use super::PhantomError;
 use super::random::{Draws, Stream};
 use nalgebra::{Isometry3, Matrix3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
-/// Gaussian bumps in a deformation.
+/// Number of Gaussian bumps in a deformation.
 const N_BUMPS: usize = 12;
-/// Least Jacobian determinant of a deformation wherever it is sampled, so that it does not come close to folding.
+/// Least Jacobian determinant of a deformation at its sample points, which keeps it away from folding.
 pub const MIN_JACOBIAN: f64 = 0.1;
 /// Largest RMS displacement, as a share of the diagonal of the bounding box.
 pub const MAX_RMS_SHARE: f64 = 0.15;
@@ -21,15 +21,15 @@ pub struct Deformation {
 }
 
 impl Deformation {
-    /// A deformation of the surface with these vertices whose RMS displacement over them is `rms_share` of the
-    /// diagonal of their bounding box, orientation preserved.
+    /// A deformation of the surface with these vertices. It preserves orientation, and its RMS displacement over the
+    /// vertices is `rms_share` of the diagonal of their bounding box.
     ///
-    /// Draws per bump: the vertex at its centre, then its direction. The width begins at 0.22 of the diagonal and
-    /// grows by a quarter until the Jacobian determinant is above [`MIN_JACOBIAN`] at every vertex and on a grid
-    /// over the box, so that a strong deformation is a smoother one.
+    /// Draws per bump: the vertex at its center, then its direction. The width starts at 0.22 of the diagonal and grows
+    /// by a quarter until the Jacobian determinant is above [`MIN_JACOBIAN`] at every vertex and on a grid over the
+    /// box; strong deformations are therefore smoother.
     ///
     /// # Errors
-    /// [`PhantomError::ShareOutOfRange`]; [`PhantomError::Folds`] if no width serves; [`PhantomError::NoVertices`].
+    /// [`PhantomError::ShareOutOfRange`]; [`PhantomError::Folds`] if no width suffices; [`PhantomError::NoVertices`].
     pub fn new(vertices: &[Point3<f64>], rms_share: f64, seed: u64) -> Result<Self, PhantomError> {
         if !(0.0..=MAX_RMS_SHARE).contains(&rms_share) {
             return Err(PhantomError::ShareOutOfRange { rms_share });
@@ -69,13 +69,13 @@ impl Deformation {
         Err(PhantomError::Folds { rms_share })
     }
 
-    /// Where the deformation takes `p`.
+    /// The image of `p` under the deformation.
     pub fn apply(&self, p: &Point3<f64>) -> Point3<f64> {
         p + self.displacement(p)
     }
 
-    /// The point that the deformation takes to `q`, by Newton's method from `q`. `None` where it does not converge,
-    /// as may happen far outside the surface.
+    /// The point whose image is `q`, by Newton's method from `q`. `None` if it does not converge, as may happen far
+    /// outside the surface.
     pub fn invert(&self, q: &Point3<f64>) -> Option<Point3<f64>> {
         let mut p = *q;
         for _ in 0..50 {
@@ -95,7 +95,7 @@ impl Deformation {
         self.jacobian(p).determinant()
     }
 
-    /// RMS displacement over the vertices that it was made for, mm.
+    /// RMS displacement over the vertices passed to [`Self::new`], mm.
     pub fn rms_mm(&self) -> f64 {
         self.rms_mm
     }

@@ -8,7 +8,7 @@ use super::{Part, PhantomError};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Isometry3, Point3};
 
-/// How a pair is made. The target is `pose(deformation(target subject))`.
+/// Recipe of a pair. The target is `pose(deformation(target subject))`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairRecipe {
     /// Seed of the source's subject.
@@ -35,14 +35,15 @@ pub struct PhantomPair {
     pose: Isometry3<f64>,
 }
 
-/// The surface on which a deformation's strength is measured has edges of this length, whatever is written later.
+/// Edge length of the surface on which the strength of a deformation is measured, independent of the written surfaces,
+/// mm.
 const REFERENCE_EDGE_MM: f64 = 1.0;
 
 impl PhantomPair {
     /// The pair of this recipe.
     ///
     /// # Errors
-    /// As [`Deformation::new`].
+    /// The errors of [`Deformation::new`].
     pub fn new(recipe: PairRecipe) -> Result<Self, PhantomError> {
         let (source, target) = (Phantom::new(recipe.subject), Phantom::new(recipe.target_subject));
         let deformation = if recipe.deform_share == 0.0 {
@@ -55,14 +56,14 @@ impl PhantomPair {
         Ok(PhantomPair { recipe, source, target, deformation, pose })
     }
 
-    /// A study's pair: the subject of number `subject`, another for each, and the template, the same for all (the subject
-    /// of seed 0, posed and with its vertices shuffled).
+    /// A pair for a study: subject number `subject`, different for each number, and the template, the same for all (the
+    /// subject of seed 0, posed and with its vertices shuffled).
     ///
     /// # Errors
-    /// As [`PhantomPair::new`].
+    /// The errors of [`PhantomPair::new`].
     pub fn against_template(subject: u64) -> Result<Self, PhantomError> {
         PhantomPair::new(PairRecipe {
-            // Seed 0 is the template's.
+            // Seed 0 belongs to the template.
             subject: subject + 1,
             target_subject: 0,
             deform_share: 0.0,
@@ -72,13 +73,13 @@ impl PhantomPair {
         })
     }
 
-    /// What it was made from.
+    /// The recipe of the pair.
     pub fn recipe(&self) -> &PairRecipe {
         &self.recipe
     }
 
-    /// Where a point of the target's subject lies in the target. With one subject for both this is the truth:
-    /// the correspondent of every source point.
+    /// Position in the target of a point of the target's subject. If source and target are one subject this is the
+    /// truth: the correspondent of every source point.
     pub fn place(&self, p: &Point3<f64>) -> Point3<f64> {
         let deformed = self.deformation.as_ref().map_or(*p, |d| d.apply(p));
         self.pose * deformed
@@ -102,7 +103,7 @@ impl PhantomPair {
     /// The source's surface.
     ///
     /// # Errors
-    /// As [`Phantom::surface`].
+    /// The errors of [`Phantom::surface`].
     pub fn source_surface(&self, edge_mm: f64) -> Result<PhantomSurface, PhantomError> {
         self.source.surface(edge_mm)
     }
@@ -111,7 +112,7 @@ impl PhantomPair {
     /// recipe shuffles them).
     ///
     /// # Errors
-    /// As [`Phantom::surface`].
+    /// The errors of [`Phantom::surface`].
     pub fn target_surface(&self, edge_mm: f64) -> Result<(PhantomSurface, Vec<u32>), PhantomError> {
         let PhantomSurface { mesh, parts } = self.target.surface(edge_mm)?;
         let n = mesh.n_vertices();
@@ -135,7 +136,7 @@ impl PhantomPair {
     /// The meshes of both surfaces, source and target.
     ///
     /// # Errors
-    /// As [`Phantom::surface`].
+    /// The errors of [`Phantom::surface`].
     pub fn meshes(&self, edge_mm: f64) -> Result<[SurfaceMesh; 2], PhantomError> {
         Ok([self.source_surface(edge_mm)?.mesh, self.target_surface(edge_mm)?.0.mesh])
     }
@@ -143,15 +144,15 @@ impl PhantomPair {
     /// The source's label volume.
     ///
     /// # Errors
-    /// As [`PhantomVolume::rasterize`].
+    /// The errors of [`PhantomVolume::rasterize`].
     pub fn source_volume(&self, spacing_mm: f64) -> Result<PhantomVolume, PhantomError> {
         self.source.volume(spacing_mm)
     }
 
-    /// The target's label volume, sampled from the shape itself and not from another volume.
+    /// The target's label volume, sampled from the shape itself instead of another volume.
     ///
     /// # Errors
-    /// As [`PhantomVolume::rasterize`].
+    /// The errors of [`PhantomVolume::rasterize`].
     pub fn target_volume(&self, spacing_mm: f64) -> Result<PhantomVolume, PhantomError> {
         let extent: Vec<_> =
             self.target.surface(REFERENCE_EDGE_MM)?.mesh.vertices().iter().map(|p| self.place(p)).collect();

@@ -1,15 +1,15 @@
 //! The random stream of phantoms: xoshiro256++, seeded by an explicit `u64` and a name for the use.
 //!
-//! The generator is Blackman and Vigna's xoshiro256++ (ACM Trans. Math. Softw. 47(4), 2021) with its state filled
-//! by SplitMix64 from `seed ^ stream constant`. Every use (shape, deformation, pose, permutation) has its own
-//! constant, so that the same number given for two of them draws unrelated values. The order of the draws in each
-//! file is part of the format: changing it changes what every seed means.
+//! The generator is Blackman and Vigna's xoshiro256++ (ACM Trans. Math. Softw. 47(4), 2021), whose state SplitMix64
+//! fills from `seed ^ stream constant`. Every use (shape, deformation, pose, permutation) has its own constant, so that
+//! equal seeds give unrelated values for different uses. The order of the draws in each file is part of the format:
+//! changing it changes the meaning of every seed.
 
 use nalgebra::Vector3;
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// What a stream is used for.
+/// Use of a stream.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stream {
     /// The shape of a subject.
@@ -64,7 +64,7 @@ impl Draws {
         }
     }
 
-    /// Standard normal, by Box and Muller; two draws a value.
+    /// Standard normal, by Box and Muller; two draws per value.
     pub(crate) fn normal(&mut self) -> f64 {
         let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
         radius * (std::f64::consts::TAU * self.unit()).cos()

@@ -1,4 +1,4 @@
-//! A phantom as a label volume: which voxel centres lie inside, and in which part.
+//! A phantom as a label volume: the voxels whose centers lie inside, with their parts.
 
 use super::PhantomError;
 use super::shape::{Part, Phantom};
@@ -6,27 +6,27 @@ use homolog_mesh::volume::{LabelVolume, VolumeError};
 use nalgebra::{Matrix4, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Most voxels of a phantom volume.
+/// Largest number of voxels of a phantom volume.
 const MAX_VOXELS: usize = 1 << 28;
-/// Empty voxels kept on every side, so that a filter of the mask does not meet the border.
+/// Number of empty voxels on every side, which keeps filters of the mask away from the border.
 const MARGIN: usize = 4;
 
-/// An axis-aligned label volume in world millimetres (x right, y front, z up).
+/// An axis-aligned label volume in world millimeters (x right, y front, z up).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhantomVolume {
     /// Voxels along x, y, z.
     pub shape: [usize; 3],
     /// Edge of a voxel, mm.
     pub spacing_mm: f64,
-    /// Centre of voxel (0, 0, 0), mm.
+    /// Center of voxel (0, 0, 0), mm.
     pub origin_mm: Point3<f64>,
     /// Label of every voxel, x fastest: 0 outside, 1 anterior, 2 posterior.
     pub labels: Vec<u8>,
 }
 
 impl PhantomVolume {
-    /// The volume over the box of `extent` (points on the surface) at `spacing_mm` (0.2 to 3 mm), where `part_at`
-    /// tells the part of a world point.
+    /// The volume over the box of `extent` (points on the surface) at `spacing_mm` (0.2 to 3 mm); `part_at` returns the
+    /// part of a world point.
     ///
     /// # Errors
     /// [`PhantomError::SpacingOutOfRange`], [`PhantomError::NoVertices`], [`PhantomError::TooManyVoxels`].
@@ -41,7 +41,7 @@ impl PhantomVolume {
         let Some(&first) = extent.first() else { return Err(PhantomError::NoVertices) };
         let (low, high) = extent.iter().fold((first, first), |(l, h), p| (l.inf(p), h.sup(p)));
         let margin = MARGIN as f64 * spacing_mm;
-        // Centres on multiples of the spacing, as scanners place them, whatever the pose.
+        // Centers lie on multiples of the spacing, as in scanners, for any pose.
         let origin = low.map(|c| ((c - margin) / spacing_mm).floor() * spacing_mm);
         let shape: [usize; 3] =
             std::array::from_fn(|k| ((high[k] + margin - origin[k]) / spacing_mm).ceil() as usize + 1);
@@ -60,10 +60,10 @@ impl PhantomVolume {
         Ok(PhantomVolume { shape, spacing_mm, origin_mm: origin, labels })
     }
 
-    /// The same volume in the form in which files are written and surfaces are made.
+    /// The volume in the form for writing files and making surfaces.
     ///
     /// # Errors
-    /// As [`LabelVolume::new`]; none for a volume made here.
+    /// The errors of [`LabelVolume::new`]; none for a volume made here.
     pub fn into_label_volume(self) -> Result<LabelVolume, VolumeError> {
         let mut affine = Matrix4::new_scaling(self.spacing_mm);
         affine.fixed_view_mut::<3, 1>(0, 3).copy_from(&self.origin_mm.coords);
@@ -77,10 +77,10 @@ impl PhantomVolume {
 }
 
 impl Phantom {
-    /// The label volume of the subject as it lies, at `spacing_mm`.
+    /// The label volume of the subject in its own pose, at `spacing_mm`.
     ///
     /// # Errors
-    /// As [`PhantomVolume::rasterize`].
+    /// The errors of [`PhantomVolume::rasterize`].
     pub fn volume(&self, spacing_mm: f64) -> Result<PhantomVolume, PhantomError> {
         let extent = self.surface(1.0)?;
         PhantomVolume::rasterize(extent.mesh.vertices(), spacing_mm, |p| self.part_at(p))

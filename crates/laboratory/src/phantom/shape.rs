@@ -1,18 +1,18 @@
-//! The shape of one subject: a tube about a bent centre line, with a head, bumps and a thin curved tail.
+//! The shape of one subject: a tube about a bent center line, with a head, bumps and a thin curved tail.
 //!
-//! A surface point is `c(s) + ρ(s, φ) (a cos φ · wide + b sin φ · narrow)`, where `c` is the centre line, `ρ` the
-//! radius with its bumps and `a`, `b` flatten the section. The same formula answers whether a point is inside, so
-//! that the triangle surface and the label volume of a subject are one shape.
+//! A surface point is `c(s) + ρ(s, φ) (a cos φ · wide + b sin φ · narrow)`, where `c` is the center line, `ρ` the
+//! radius with its bumps, and `a`, `b` flatten the section. The same formula tells whether a point is inside, so that
+//! the triangle surface and the label volume of a subject have the same shape.
 //!
-//! The sizes are those of a human hippocampus as textbooks give them: 35 to 45 mm long, a head about 11 mm wide, a
-//! tail of about half that. What varies between subjects is drawn in the order of [`Phantom::new`].
+//! The sizes are textbook values of a human hippocampus: 35 to 45 mm long, a head about 11 mm wide, a tail of about
+//! half that width. The parameters that vary between subjects are drawn in the order of [`Phantom::new`].
 
 use super::random::{Draws, Stream};
 use super::spine::Spine;
 use nalgebra::{Point3, Vector3};
 use std::f64::consts::{PI, TAU};
 
-/// Which part of the structure a point belongs to; the numbers are those of the label volumes.
+/// Part of the structure that contains a point; the numbers are those of the label volumes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// Head: label 1.
@@ -41,7 +41,7 @@ struct Bump {
     width_phi: f64,
 }
 
-/// One synthetic subject, in its own millimetre frame: x to the right, y to the front, z up, head in front.
+/// One synthetic subject, in its own millimeter frame: x to the right, y to the front, z up, head in front.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Phantom {
     seed: u64,
@@ -54,11 +54,11 @@ pub struct Phantom {
     bumps: Vec<Bump>,
 }
 
-/// No point of the surface is farther from the centre line, mm.
+/// Upper bound of the distance of surface points from the center line, mm.
 const REACH_MM: f64 = 14.0;
 
 impl Phantom {
-    /// The subject of this seed.
+    /// The subject generated from this seed.
     pub fn new(seed: u64) -> Self {
         let mut d = Draws::new(Stream::Shape, seed);
         let length_mm = d.around(41.0, 2.2);
@@ -101,7 +101,7 @@ impl Phantom {
             width_s: 0.07,
             width_phi: 0.5,
         });
-        // Low swellings and dents anywhere else.
+        // Low swellings and dents elsewhere.
         for _ in 0..9 {
             bumps.push(Bump {
                 s: d.uniform(0.12, 0.9),
@@ -114,12 +114,12 @@ impl Phantom {
         Phantom { seed, spine, head_radius, body_radius, tail_radius, head_end, flatten, bumps }
     }
 
-    /// The seed that it came from.
+    /// The seed of the subject.
     pub fn seed(&self) -> u64 {
         self.seed
     }
 
-    /// Length of the centre line, mm.
+    /// Length of the center line, mm.
     pub fn length_mm(&self) -> f64 {
         self.spine.length_mm()
     }
@@ -130,7 +130,7 @@ impl Phantom {
         let to_tail = smooth_step((s - 0.5) / 0.4);
         let wall = self.head_radius + (self.body_radius - self.head_radius) * to_body
             - (self.body_radius - self.tail_radius) * to_tail;
-        // Half ellipses close the ends, as long as the wall is wide there.
+        // Half ellipses close the ends; they are as long as the wall is wide there.
         let cap = |distance: f64, depth: f64| {
             let x = 1.0 - (distance / depth).clamp(0.0, 1.0);
             (1.0 - x * x).sqrt()
@@ -152,7 +152,8 @@ impl Phantom {
         (1.0 + raised).max(0.5)
     }
 
-    /// Point of the surface at share `s` of the length (0 the tip of the head, 1 of the tail) and angle `φ`, mm.
+    /// Point of the surface, mm, at share `s` of the length (0 is the tip of the head, 1 the tip of the tail) and angle
+    /// `φ`.
     pub fn surface_point(&self, s: f64, phi: f64) -> Point3<f64> {
         let frame = self.spine.frame(s);
         let rho = self.radius(s) * self.bump_factor(s, phi);
@@ -160,7 +161,7 @@ impl Phantom {
         frame.point + frame.wide * (rho * self.flatten * cos) + frame.narrow * (rho / self.flatten * sin)
     }
 
-    /// The part that holds `p`, or `None` outside. `O(samples of the centre line)`.
+    /// The part that contains `p`, or `None` outside. `O(samples of the center line)`.
     pub fn part_at(&self, p: &Point3<f64>) -> Option<Part> {
         let foot = self.spine.foot(p, REACH_MM)?;
         let (x, y) = (foot.across[0] / self.flatten, foot.across[1] * self.flatten);

@@ -1,18 +1,18 @@
-//! The centre line of a phantom: a curve in space with a frame that turns along with it.
+//! The center line of a phantom: a curve in space with a frame that moves along it.
 //!
-//! The curve is integrated from two angles of its direction (yaw and pitch) at fixed steps; the frame is carried
-//! along by double reflection (Wang, Jüttler, Zheng, Liu, ACM Trans. Graph. 27(1), 2008), which turns as little
-//! about the curve as possible, and is then turned by the twist.
+//! The curve is integrated from two angles of its direction (yaw and pitch) at fixed steps. The frame is propagated by
+//! double reflection (Wang, Jüttler, Zheng, Liu, ACM Trans. Graph. 27(1), 2008), which minimizes its rotation about the
+//! curve, and is then rotated by the twist.
 
 use nalgebra::{Point3, Vector3};
 
-/// Samples of a spine; enough that linear interpolation between them errs by less than 1e-4 mm at the bends used.
+/// Number of samples of a spine; linear interpolation between them errs by less than 1e-4 mm at the bends used.
 const N_STEPS: usize = 512;
 
-/// A point of the centre line with its frame.
+/// A point of the center line with its frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SpineFrame {
-    /// On the centre line, mm.
+    /// Position on the center line, mm.
     pub(crate) point: Point3<f64>,
     /// Unit tangent, from head to tail.
     pub(crate) tangent: Vector3<f64>,
@@ -22,17 +22,17 @@ pub(crate) struct SpineFrame {
     pub(crate) narrow: Vector3<f64>,
 }
 
-/// The centre line, sampled at equal arc length.
+/// The center line, sampled at equal arc length.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spine {
     length_mm: f64,
     frames: Vec<SpineFrame>,
 }
 
-/// Where a point lies with respect to the centre line.
+/// Position of a point relative to the center line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SpineFoot {
-    /// Share of the length at which the normal plane holds the point.
+    /// Share of the length at which the normal plane contains the point.
     pub(crate) s: f64,
     /// Coordinates in that plane along the wide and the narrow normal, mm.
     pub(crate) across: [f64; 2],
@@ -89,8 +89,8 @@ impl Spine {
         SpineFrame { point: a.point + (b.point - a.point) * w, tangent, wide, narrow: tangent.cross(&wide) }
     }
 
-    /// The nearest place whose normal plane holds `p`; `None` if `p` lies before the first or behind the last plane,
-    /// or farther than `reach_mm`. Cost `O(samples)`.
+    /// The nearest place whose normal plane contains `p`; `None` if `p` lies before the first or behind the last plane,
+    /// or farther away than `reach_mm`. Cost `O(samples)`.
     pub(crate) fn foot(&self, p: &Point3<f64>, reach_mm: f64) -> Option<SpineFoot> {
         let nearest = (0..=N_STEPS).min_by(|&a, &b| {
             let d = |k: usize| (self.frames[k].point - p).norm_squared();
@@ -103,7 +103,7 @@ impl Spine {
             let f = self.frame(s);
             (p - f.point).dot(&f.tangent)
         };
-        // The height falls through zero between the neighbours of the nearest sample; bisection finds where.
+        // The height changes sign between the neighbors of the nearest sample; bisection finds the zero.
         let step = 1.0 / N_STEPS as f64;
         let s = nearest as f64 * step;
         let (mut low, mut high) = ((s - step).max(0.0), (s + step).min(1.0));

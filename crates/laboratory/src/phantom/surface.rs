@@ -1,8 +1,8 @@
-//! A phantom as a closed triangle mesh: rings about the centre line, joined by strips, closed by a fan at each tip.
+//! A phantom as a closed triangle mesh: rings about the center line, joined by strips, closed by a fan at each tip.
 //!
-//! Rings lie at equal distances along the surface, and every ring has as many vertices as its girth holds edges, so
-//! that edges are about equally long everywhere. Two neighbouring rings are joined by walking around both at once.
-//! The result is a sphere by construction: every strip is an annulus, every fan a disk.
+//! Rings lie at equal distances along the surface, and the number of vertices of a ring is proportional to its girth,
+//! so that edges have about the same length everywhere. Two neighboring rings are joined by walking around both at
+//! once. The result is a sphere by construction: every strip is an annulus, every fan a disk.
 
 use super::shape::Phantom;
 use super::{Part, PhantomError};
@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 const N_ALONG: usize = 2000;
 const N_AROUND: usize = 256;
 
-/// A phantom surface and which part every vertex belongs to.
+/// A phantom surface, with the part of every vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhantomSurface {
     /// Closed, genus 0, faces outwards, mm.
@@ -64,29 +64,29 @@ impl Phantom {
         Ok(PhantomSurface { mesh, parts })
     }
 
-    /// Shares `s` of the rings, about `row_mm` apart along the surface, the tips left out.
+    /// Shares `s` of the rings, about `row_mm` apart along the surface, excluding the tips.
     fn stations(&self, row_mm: f64) -> Vec<f64> {
-        // The cosine puts samples close where the ends are round.
+        // The cosine places samples densely where the ends are round.
         let s_of = |k: usize| (1.0 - (PI * k as f64 / N_ALONG as f64).cos()) / 2.0;
-        // Lengths along four lines from tip to tip, averaged, so that a bend does not favour one side.
+        // Lengths along four lines from tip to tip, averaged, so that a bend does not favor one side.
         let line = |k: usize| [0.0, 0.25, 0.5, 0.75].map(|turn| self.surface_point(s_of(k), TAU * turn));
-        let mut travelled = Vec::with_capacity(N_ALONG + 1);
-        travelled.push(0.0);
+        let mut traveled = Vec::with_capacity(N_ALONG + 1);
+        traveled.push(0.0);
         let mut last = line(0);
         let mut total = 0.0;
         for k in 1..=N_ALONG {
             let next = line(k);
             total += last.iter().zip(&next).map(|(a, b)| (b - a).norm()).sum::<f64>() / 4.0;
-            travelled.push(total);
+            traveled.push(total);
             last = next;
         }
         let n_rows = ((total / row_mm).round() as usize).max(4);
         (1..n_rows)
             .map(|row| {
                 let wanted = total * row as f64 / n_rows as f64;
-                let k = travelled.partition_point(|&t| t < wanted).clamp(1, N_ALONG);
-                let span = (travelled[k] - travelled[k - 1]).max(f64::MIN_POSITIVE);
-                let w = (wanted - travelled[k - 1]) / span;
+                let k = traveled.partition_point(|&t| t < wanted).clamp(1, N_ALONG);
+                let span = (traveled[k] - traveled[k - 1]).max(f64::MIN_POSITIVE);
+                let w = (wanted - traveled[k - 1]) / span;
                 s_of(k - 1) + (s_of(k) - s_of(k - 1)) * w
             })
             .collect()
@@ -94,16 +94,16 @@ impl Phantom {
 
     fn ring(&self, s: f64, edge_mm: f64, staggered: bool) -> RingPoints {
         let phi_of = |k: f64| TAU * k / N_AROUND as f64;
-        let mut travelled = vec![0.0];
+        let mut traveled = vec![0.0];
         let mut last = self.surface_point(s, 0.0);
         let mut girth = 0.0;
         for k in 1..=N_AROUND {
             let next = self.surface_point(s, phi_of(k as f64));
             girth += (next - last).norm();
-            travelled.push(girth);
+            traveled.push(girth);
             last = next;
         }
-        // Five is the least at which a fan at a tip still looks like its neighbours.
+        // Five is the smallest number for which a fan at a tip resembles its neighbors.
         let n = ((girth / edge_mm).round() as usize).max(5);
         let offset = if staggered { 0.5 } else { 0.0 };
         let fractions: Vec<f64> = (0..n).map(|k| (k as f64 + offset) / n as f64).collect();
@@ -111,8 +111,8 @@ impl Phantom {
             .iter()
             .map(|fraction| {
                 let wanted = girth * fraction;
-                let k = travelled.partition_point(|&t| t < wanted).clamp(1, N_AROUND);
-                let w = (wanted - travelled[k - 1]) / (travelled[k] - travelled[k - 1]).max(f64::MIN_POSITIVE);
+                let k = traveled.partition_point(|&t| t < wanted).clamp(1, N_AROUND);
+                let w = (wanted - traveled[k - 1]) / (traveled[k] - traveled[k - 1]).max(f64::MIN_POSITIVE);
                 self.surface_point(s, phi_of(k as f64 - 1.0 + w))
             })
             .collect();
@@ -150,7 +150,7 @@ impl Ring {
 fn join(a: &Ring, b: &Ring, indices: &mut Vec<u32>) {
     let (mut i, mut j) = (0, 0);
     while i < a.len() || j < b.len() {
-        // The next corner is on the ring whose next vertex comes first around.
+        // The next corner is on the ring whose next vertex comes first around the axis.
         let on_a = j == b.len() || (i < a.len() && a.fraction(i + 1) <= b.fraction(j + 1));
         if on_a {
             indices.extend([a.vertex(i), a.vertex(i + 1), b.vertex(j)]);

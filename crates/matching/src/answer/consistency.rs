@@ -1,4 +1,4 @@
-//! How well a labeling preserves the topology of the surfaces: neighbours stay together, faces keep their orientation.
+//! How well a labeling preserves the topology of the surfaces: neighbors stay together, faces keep their orientation.
 
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::graph::{EdgeGraph, Reach};
@@ -46,7 +46,7 @@ pub enum LabelingError {
     },
 }
 
-/// Topology consistency of the map that takes source vertex `i` to target vertex `labeling[i]`, with neighbourhoods of
+/// Topology consistency of the map that takes source vertex `i` to target vertex `labeling[i]`, with neighborhoods of
 /// `rings` edges (`r`).
 ///
 /// The image of a source triangle is the triangle between the labels of its corners, in their order. It is
@@ -59,7 +59,7 @@ pub enum LabelingError {
 /// [`LabelingError`].
 ///
 /// # Cost
-/// `O(edges + faces)` where neighbours have images that are close, on all threads.
+/// `O(edges + faces)` where neighbors have images that are close, on all threads.
 pub fn topology_consistency(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
@@ -114,7 +114,7 @@ pub fn topology_consistency_within(
     })
 }
 
-/// Whether the images of `i` and `j` lie within one neighbourhood.
+/// Whether the images of `i` and `j` lie within one neighborhood.
 pub(crate) fn keeps_edge(labels: &Reach<'_>, labeling: &[u32], i: usize, j: usize) -> bool {
     labels.within(labeling[i], labeling[j])
 }
@@ -255,7 +255,7 @@ mod tests {
         let [a, b] = mesh.edges()[500];
         labeling.swap(a as usize, b as usize);
         let found = topology_consistency(&mesh, &mesh, &labeling, 2).unwrap();
-        // The two triangles at their edge are flipped; both vertices are still within two edges of all neighbours.
+        // The two triangles at their edge are flipped; both vertices are still within two edges of all neighbors.
         assert_eq!((found.consistency, found.coverage, found.n_degenerate), (1.0, 1.0, 0));
         assert!((2..=10).contains(&found.n_flipped), "{found:?}");
         // One label for both: the same two triangles lose their area.

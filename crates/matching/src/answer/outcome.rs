@@ -14,13 +14,13 @@ pub struct MatchOutcome {
     pub support: SupportDocument,
     /// Distance between the registered surfaces.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies of the answer; `None` where no energy was minimised.
+    /// Energies of the answer; `None` where no energy was minimized.
     pub energy: Option<EnergyDocument>,
     /// Quality of the map.
     pub topology: ConsistencyDocument,
     /// How the map to the corresponding points deforms the source; `None` if no triangle has a counterpart.
     pub deformation: Option<DeformationDocument>,
-    /// The rounds of inference and registration; empty where no energy was minimised.
+    /// The rounds of inference and registration; empty where no energy was minimized.
     pub rounds: Vec<RoundDocument>,
     /// Candidate poses that were compared, the best first.
     pub poses: Vec<PoseDocument>,

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 pub enum OutlierReason {
     /// Its residual after registration exceeds the tolerance.
     Residual,
-    /// More than half of its edges break: the images of its neighbours do not lie within `r` edges of its own.
+    /// More than half of its edges break: the images of its neighbors do not lie within `r` edges of its own.
     Neighborhood,
     /// Both.
     Both,
@@ -25,7 +25,7 @@ pub enum OutlierReason {
 /// [`LabelingError`], also if there is not one residual a vertex.
 ///
 /// # Cost
-/// `O(|E→|)` where neighbours have images that are close, on all threads.
+/// `O(|E→|)` where neighbors have images that are close, on all threads.
 pub fn identify_outliers(
     variables: &EdgeGraph,
     labels: &Reach<'_>,
@@ -84,7 +84,7 @@ mod tests {
     }
 
     /// Vertices drawn at random, no two of them within two edges of each other, so that no vertex loses more than one
-    /// edge to a neighbour.
+    /// edge to a neighbor.
     fn scattered(mesh: &SurfaceMesh, random: &mut Xoshiro256PlusPlus, n_drawn: usize) -> Vec<usize> {
         let within_two = neighborhoods(mesh, 2);
         let mut chosen: Vec<usize> = Vec::new();
@@ -108,7 +108,7 @@ mod tests {
                 let labels = neighborhoods(&mesh, rings);
                 let mut labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
                 let v = mesh.vertices();
-                // From outside one ring more, no neighbour's neighbourhood holds the planted label.
+                // From outside one ring more, no neighbor's neighborhood holds the planted label.
                 let wider = neighborhoods(&mesh, rings + 1);
                 for &at in &planted {
                     let is_far = |x: usize| (v[x] - v[at]).norm() > 8.0 && wider.distance_within(at, x).is_none();

@@ -56,7 +56,7 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     }
 }
 
-/// Energies of the answer where an energy was minimised: of the images as labels, or of the labeling that the rounds found
+/// Energies of the answer where an energy was minimized: of the images as labels, or of the labeling that the rounds found
 /// where the source is moved rigidly.
 fn energy_of(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> Option<EnergyDocument> {
     let Posed::Inference { problem, inferred } = posed else {
@@ -192,7 +192,7 @@ fn topology(
 ) -> ConsistencyDocument {
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let found = topology_consistency_within(source, variables, target, labeling, labels);
-    // Every label is a target vertex: minimisers and closest points give no other.
+    // Every label is a target vertex: minimizers and closest points give no other.
     let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
     let flipped = if transform.is_reflection() {
         found.n_triangles - found.n_degenerate - found.n_flipped

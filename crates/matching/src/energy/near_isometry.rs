@@ -26,7 +26,7 @@ pub struct NearIsometryModel {
 
 impl NearIsometryModel {
     /// The labeling to which belief propagation with a bias at first, or with an empty one, and conditional modes lead.
-    pub fn minimised(&self, bias: &[f32]) -> Labeling {
+    pub fn minimized(&self, bias: &[f32]) -> Labeling {
         minimized(&self.model, bias, &IsometrySettings::default())
     }
 
@@ -125,7 +125,7 @@ mod tests {
         let energy = |x: &[u32]| found.model.energy(x).total();
         let relaxed = energy(&found.model.descend(truth, 50));
         for starts in [&vec![Vec::<f32>::new()], &found.of_extremities] {
-            let labelings = starts.iter().map(|bias| found.minimised(bias));
+            let labelings = starts.iter().map(|bias| found.minimized(bias));
             let best = labelings.min_by(|a, b| energy(a).total_cmp(&energy(b))).unwrap();
             let away = best.iter().zip(&variables).map(|(&x, p)| (labels[x as usize] - p).norm()).sum::<f64>() / 160.0;
             assert!(energy(&best) < 1.1 * relaxed, "{} {relaxed}", energy(&best));

@@ -1,7 +1,7 @@
 //! From rigid poses to the source deformed by a smooth displacement field. This file alone calls all stages.
 //!
 //! The source is moved by `T(p) = R p + t + u(p)` with a field `u` of [`homolog_registration::deformation`]: a
-//! translation, a linear part and a Gaussian process of width 0.3 diagonals. Expectation and maximisation alternate as in
+//! translation, a linear part and a Gaussian process of width 0.3 diagonals. Expectation and maximization alternate as in
 //! coherent point drift: target vertices are softly assigned to moved source vertices by distance, normals and curvature
 //! features, whose variances are estimated in every step; then the field is fitted to the means of the assigned points.
 //!
@@ -12,14 +12,14 @@
 //! 3. **Fine**: along the normal a vertex is pulled towards the closest point of the target, with the small variance of
 //!    points on surfaces; across the normal a tenth of the assignment's weight is kept. So the surface can slide, driven by
 //!    the smoothness of the field and the pulls along normals all around. Without that freedom the assignment, which
-//!    favours the present place of a vertex, holds every vertex back: in three hard cases of 8 % warps 47 to 89 % of the
+//!    favors the present place of a vertex, holds every vertex back: in three hard cases of 8 % warps 47 to 89 % of the
 //!    vertices were within one edge of the truth, with it 94 to 96 %.
 //! 4. **Local**: between closed surfaces of two subjects the field stays stiff. Otherwise, where the residual heights show
 //!    displacement over shorter distances, a second kernel is added, of the width and variance under which they are most
 //!    probable ([`super::local`]). On warps with bumps of 0.06 to 0.09 diagonals 0.97 of the vertices are within one edge with it,
 //!    0.81 without. Otherwise:
 //! 5. **Settling**: copies of one anatomy come within the sampling noise of each other. Two subjects do not: what remains is
-//!    individual anatomy, which is correlated over millimetres. The residual along the normals (0.08 to 0.10 mm for
+//!    individual anatomy, which is correlated over millimeters. The residual along the normals (0.08 to 0.10 mm for
 //!    copies, 0.24 to 0.29 mm for two subjects) sets the weight of the observations.
 //! 6. **Back**: closed surfaces of two subjects are fitted in the other direction as well, and the mean of the two maps is
 //!    the answer ([`super::both_ways`]).

@@ -1,5 +1,5 @@
 //! The lengths that a match is measured in: the size of the surfaces and the distance of their samples. No length of the
-//! numerics is stated in millimetres, so that an answer does not depend on the unit or on the size of a structure.
+//! numerics is stated in millimeters, so that an answer does not depend on the unit or on the size of a structure.
 
 use crate::surface::side::Side;
 

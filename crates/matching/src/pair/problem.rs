@@ -22,7 +22,7 @@ pub(crate) enum Problem<'a> {
     Energy(EnergyProblem<'a>),
 }
 
-/// An energy to be minimised.
+/// An energy to be minimized.
 pub(crate) struct EnergyProblem<'a> {
     pub model: MrfModel,
     /// No labeling has an energy below this; `None` where no bound was asked for.

@@ -16,7 +16,7 @@ pub(crate) struct VertexMap {
     pub labeling: Labeling,
     /// Probability of each label, or a stand-in for it in `[0, 1]`.
     pub confidence: Vec<f64>,
-    /// Root mean square distance of each belief from its mean, mm; 0 for minimisers that have no beliefs.
+    /// Root mean square distance of each belief from its mean, mm; 0 for minimizers that have no beliefs.
     pub spread_mm: Vec<f64>,
 }
 

@@ -25,7 +25,7 @@ pub(crate) struct Counting<'a> {
     /// The share of the match that was done before.
     pub done_before: f64,
     pub n_checks: Mutex<u32>,
-    /// The last round of inference, which is that of the first fit too; `None` where no energy of labels was minimised before.
+    /// The last round of inference, which is that of the first fit too; `None` where no energy of labels was minimized before.
     pub last_round: Option<u32>,
 }
 

@@ -19,12 +19,12 @@ pub struct Levels {
     pub(crate) middle: Arc<Side>,
     /// For every vertex of `full` the vertex of `middle` in whose cell it lies.
     cells_of_middle: Vec<u32>,
-    /// Vertices of the level that an energy is minimised on; `None`: all.
+    /// Vertices of the level that an energy is minimized on; `None`: all.
     coarse_vertices: Option<u32>,
     energy: OnceLock<EnergyLevel>,
 }
 
-/// The level that an energy is minimised on.
+/// The level that an energy is minimized on.
 pub(crate) struct EnergyLevel {
     pub side: Arc<Side>,
     /// For every vertex of the full surface the vertex of this level in whose cell it lies.
@@ -82,7 +82,7 @@ impl Levels {
         found
     }
 
-    /// The level that an energy is minimised on, made when a match asks for it.
+    /// The level that an energy is minimized on, made when a match asks for it.
     pub(crate) fn energy(&self) -> &EnergyLevel {
         self.energy.get_or_init(|| {
             let n_sites = self.coarse_vertices.map(|n| n as usize);

@@ -1,6 +1,6 @@
-//! Belief propagation over active labels as a minimiser: each variable keeps only its best labels.
+//! Belief propagation over active labels as a minimizer: each variable keeps only its best labels.
 
-use super::minimiser::{InferenceRun, Labeled, Minimiser, OnStep};
+use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
 use super::propagation::{labeled, trace_point};
 use homolog_mrf::MrfModel;
 use homolog_mrf::inference::{ActiveModel, ActivePropagation, ActiveSets, BpOptions, Evidence, UnaryPotentials};
@@ -14,12 +14,12 @@ const WITH_FEEDBACK: usize = 64;
 const SHARE: usize = 5;
 const AT_LEAST: usize = 256;
 /// Sets without feedback are revised every `EVERY` iterations: labels whose energy exceeds the best by more than
-/// `MARGIN` are dropped, and those around the best `DEMANDED` labels of each neighbour are added.
+/// `MARGIN` are dropped, and those around the best `DEMANDED` labels of each neighbor are added.
 const EVERY: u32 = 20;
 const MARGIN: f32 = 20.0;
 const DEMANDED: usize = 2;
 
-/// A minimiser over active labels.
+/// A minimizer over active labels.
 pub(crate) struct ActiveLabels<'a> {
     model: &'a MrfModel,
     options: BpOptions,
@@ -66,7 +66,7 @@ impl<'a> ActiveLabels<'a> {
     }
 }
 
-impl Minimiser for ActiveLabels<'_> {
+impl Minimizer for ActiveLabels<'_> {
     fn reset(&mut self) {
         self.propagation = None;
     }

@@ -76,7 +76,7 @@ pub(crate) fn build_model(
     })
 }
 
-/// The energy of matching `source` to `target`, as [`crate::match_surfaces`] minimises it in its first round. Variables and
+/// The energy of matching `source` to `target`, as [`crate::match_surfaces`] minimizes it in its first round. Variables and
 /// labels are in canonical numbering (see [`homolog_mesh::canonicalize`]).
 ///
 /// # Errors
@@ -89,7 +89,7 @@ pub fn energy_model(
     build_model(&Side::new(source), &Side::new(target), parameters, &Silent)
 }
 
-/// The energy on the coarse levels of two surfaces, as [`crate::match_levels`] minimises it in its first round.
+/// The energy on the coarse levels of two surfaces, as [`crate::match_levels`] minimizes it in its first round.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`].

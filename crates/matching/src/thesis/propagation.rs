@@ -1,6 +1,6 @@
-//! Belief propagation over all labels as a minimiser.
+//! Belief propagation over all labels as a minimizer.
 
-use super::minimiser::{InferenceRun, Labeled, Minimiser, OnStep};
+use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
 use crate::pair::vertex_map::VertexMap;
 use homolog_contract::result::{ConvergenceDocument, ConvergenceStatus, StopReason};
 use homolog_mrf::inference::{self, BeliefPropagation, BpIteration, BpOutcome, BpStop};
@@ -11,7 +11,7 @@ pub(crate) struct Propagation<'a> {
     pub bp: BeliefPropagation<'a>,
 }
 
-impl Minimiser for Propagation<'_> {
+impl Minimizer for Propagation<'_> {
     fn reset(&mut self) {
         self.bp.reset();
     }
@@ -41,7 +41,7 @@ pub(crate) fn trace_point(round: u32, iteration: &BpIteration) -> TracePoint {
     }
 }
 
-/// The outcome of belief propagation in the form that all minimisers share.
+/// The outcome of belief propagation in the form that all minimizers share.
 pub(crate) fn labeled(outcome: BpOutcome, spread_mm: Vec<f64>) -> Labeled {
     let BpOutcome { labeling, confidence, energy, iterations, stop, convergence } = outcome;
     let (status, period) = match convergence.status {

@@ -2,8 +2,8 @@
 
 use super::clamping::{SoftClamp, SoftWeights, clamp_hard};
 use super::closer_pose::closer_pose;
-use super::minimiser::{InferenceRun, Labeled, Minimiser};
-use super::minimisers::minimiser;
+use super::minimizer::{InferenceRun, Labeled, Minimizer};
+use super::minimizers::minimizer;
 use crate::error::MatchError;
 use crate::pair::problem::EnergyProblem;
 use crate::pair::progress::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT, PROGRESS_BEFORE_ROUNDS};
@@ -92,7 +92,7 @@ pub(crate) struct Rounds<'a> {
 
 /// What runs from round to round.
 struct Course<'m> {
-    minimiser: Box<dyn Minimiser + 'm>,
+    minimizer: Box<dyn Minimizer + 'm>,
     plan: Plan,
     documents: Vec<RoundDocument>,
 }
@@ -105,7 +105,7 @@ impl Rounds<'_> {
         let mode = p.clamping.mode;
         let n_rounds = if mode == ClampingMode::None { 0 } else { p.clamping.max_rounds };
         let mut course = Course {
-            minimiser: minimiser(&self.problem.model, p, self.problem.lower_bound),
+            minimizer: minimizer(&self.problem.model, p, self.problem.lower_bound),
             plan: Plan::new(p.inference.max_iterations, n_rounds, progress_after_rounds(p)),
             documents: Vec::new(),
         };
@@ -124,7 +124,7 @@ impl Rounds<'_> {
         // Later rounds start from where the round before ended and need fewer iterations.
         let later = later_iterations(p.inference.max_iterations);
         for round in 1..=n_rounds {
-            let feedback = self.set_bias(&mut *course.minimiser, &best);
+            let feedback = self.set_bias(&mut *course.minimizer, &best);
             let mut next = self.round(&mut course, later, feedback)?.supported();
             trials += next.as_ref().map_or(0, |next| next.registration.trials);
             let first_feedback = round == 1 && mode == ClampingMode::Soft;
@@ -173,17 +173,17 @@ impl Rounds<'_> {
 
     /// A whole round from a cold start with the feedback of `pose`.
     fn round_from(&self, course: &mut Course<'_>, pose: &RigidTransform) -> Result<Round, MatchError> {
-        course.minimiser.reset();
-        self.set_soft_bias(&mut *course.minimiser, pose);
+        course.minimizer.reset();
+        self.set_soft_bias(&mut *course.minimizer, pose);
         self.round(course, self.problem.scene.parameters.inference.max_iterations, Feedback::CandidatePose)
     }
 
-    fn set_bias(&self, minimiser: &mut dyn Minimiser, last: &SupportedRound) -> Feedback {
+    fn set_bias(&self, minimizer: &mut dyn Minimizer, last: &SupportedRound) -> Feedback {
         match self.problem.scene.parameters.clamping.mode {
             ClampingMode::None => Feedback::None,
             ClampingMode::Hard => {
                 let truncation = self.problem.model.pairwise.truncation;
-                minimiser.set_bias(&|i, row| {
+                minimizer.set_bias(&|i, row| {
                     if last.registration.inlier_mask[i] {
                         clamp_hard(last.labeled.map.labeling[i], truncation, row);
                     }
@@ -191,13 +191,13 @@ impl Rounds<'_> {
                 Feedback::Hard
             }
             ClampingMode::Soft => {
-                self.set_soft_bias(minimiser, &last.transform);
+                self.set_soft_bias(minimizer, &last.transform);
                 Feedback::Soft
             }
         }
     }
 
-    fn set_soft_bias(&self, minimiser: &mut dyn Minimiser, transform: &RigidTransform) {
+    fn set_soft_bias(&self, minimizer: &mut dyn Minimizer, transform: &RigidTransform) {
         let scene = &self.problem.scene;
         let (source, target) = (scene.source, scene.target);
         let sigma_mm = SOFT_SIGMA_EDGES * scene.edge_mm;
@@ -207,18 +207,18 @@ impl Rounds<'_> {
             (source.mesh().vertices(), &source.normals),
             (target.mesh().vertices(), &target.normals),
         );
-        minimiser.set_bias(&|i, row| clamp.add(i, row));
+        minimizer.set_bias(&|i, row| clamp.add(i, row));
     }
 
     /// Inference, then RANSAC over its pairs, then refinement.
     fn round(&self, course: &mut Course<'_>, budget: u32, feedback: Feedback) -> Result<Round, MatchError> {
         let EnergyProblem { scene, lower_bound, .. } = self.problem;
         let (p, observer) = (scene.parameters, scene.observer);
-        let Course { minimiser, plan, documents } = course;
+        let Course { minimizer, plan, documents } = course;
         let number = plan.next_round();
         observer.phase(Phase::Inference);
         let run = InferenceRun { round: number, budget, positions: scene.target.mesh().vertices(), observer };
-        let labeled = minimiser.run(&run, &mut |point| {
+        let labeled = minimizer.run(&run, &mut |point| {
             observer.trace(&TracePoint { lower_bound: point.lower_bound.or(*lower_bound), ..point });
             observer.progress(plan.progress());
         })?;

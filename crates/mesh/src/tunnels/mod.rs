@@ -1,12 +1,12 @@
-//! Closing the tunnels of a mesh: cutting along its shortest handle and capping both rims, until its genus is 0.
+//! Closes the tunnels of a mesh: cuts along its shortest handle and caps both rims, until the genus is 0.
 //!
-//! A loop that does not separate the surface runs either around a handle, and then cutting severs the handle, or through a
-//! tunnel, and then the caps are a membrane across it; the shortest is the smaller change. Both rims of a cut are capped with
-//! a fan around a new vertex at their mean, and are drawn apart a little, so that the caps do not coincide and are not
-//! joined again by welding.
+//! A loop that does not separate the surface runs either around a handle, which the cut then severs, or through a
+//! tunnel, which the caps then close like a membrane. The shortest loop is the smaller change. Both rims of a cut are
+//! capped with a fan around a new vertex at their mean. The rims are drawn apart a little, so that the caps do not
+//! coincide and welding does not join them again.
 //!
-//! The boundaries of an open mesh are covered for the search by a fan each, which no loop may cross and which is taken away
-//! again. So its genus is that of the closed surface that it is a part of, and its boundaries stay where they are.
+//! During the search a fan covers each boundary of an open mesh; no loop may cross it, and it is removed afterwards.
+//! The genus is therefore that of the closed surface of which the mesh is a part, and the boundaries stay in place.
 //!
 //! # Source
 //! Loops: [`mod@shortest_loop`]. Closing tunnels by cutting shortest non-separating loops: Guskov and Wood, "Topological noise
@@ -22,18 +22,18 @@ use shortest_loop::{Loop, shortest_loop};
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
-/// How far the rims of a cut are drawn apart: the share of the way from a vertex of the rim to the mean of its neighbors
-/// beside the rim. Enough for vertices to have places of their own, too little to turn a triangle over.
+/// Distance by which the rims of a cut are drawn apart, as a share of the way from a vertex of the rim to the mean of
+/// its neighbors beside the rim. Enough for vertices to have distinct positions, too little to turn a triangle over.
 const DRAWN_APART: f64 = 0.1;
 
-/// A mesh without the tunnels of another.
+/// A mesh whose tunnels were closed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClosedTunnels {
-    /// The mesh, of triangles: the vertices of the given one, of which those on rims have moved, then the new ones.
+    /// The mesh, of triangles: the vertices of the input (vertices on rims have moved), then the new ones.
     pub mesh: SurfaceMesh,
-    /// Tunnels before.
+    /// Number of tunnels in the input.
     pub n_tunnels: u32,
-    /// Tunnels that were closed.
+    /// Number of tunnels that were closed.
     pub n_closed: u32,
     /// Vertices that were copied, because a cut goes through them.
     pub n_copied: usize,
@@ -54,13 +54,13 @@ pub struct Tunnel {
     pub length_mm: f64,
 }
 
-/// The number of tunnels of an oriented manifold, closed or open; `None` if the mesh is no such surface.
+/// The number of tunnels of an oriented manifold, closed or open; `None` if the mesh is not an oriented manifold.
 pub fn count_tunnels(mesh: &SurfaceMesh) -> Option<u32> {
     covered(mesh)?.1
 }
 
-/// The narrowest tunnel, or thinnest handle, of an oriented manifold, closed or open; `None` if the mesh is no such surface or
-/// has none. For large surfaces the search ends early, and then it may be another one.
+/// The narrowest tunnel or thinnest handle of an oriented manifold, closed or open; `None` if the mesh is not an
+/// oriented manifold or has no tunnel. For large surfaces the search ends early and may return another tunnel.
 pub(crate) fn narrowest_tunnel(mesh: &SurfaceMesh) -> Option<Tunnel> {
     let (surface, n_tunnels) = covered(mesh)?;
     n_tunnels.filter(|&n| n > 0)?;
@@ -70,8 +70,8 @@ pub(crate) fn narrowest_tunnel(mesh: &SurfaceMesh) -> Option<Tunnel> {
     Some(Tunnel { place_mm: (sum / found.vertices.len() as f64).into(), length_mm: found.length_mm })
 }
 
-/// The mesh with its boundaries covered, and the number of its tunnels, if it is an oriented manifold. `None` if its boundaries
-/// are no simple loops.
+/// The mesh with its boundaries covered and, if it is an oriented manifold, the number of its tunnels. `None` if its
+/// boundaries are not simple loops.
 fn covered(mesh: &SurfaceMesh) -> Option<(Cutting, Option<u32>)> {
     let mut triangles = mesh.triangles();
     let mut vertices = mesh.vertices().to_vec();
@@ -83,7 +83,7 @@ fn covered(mesh: &SurfaceMesh) -> Option<(Cutting, Option<u32>)> {
             uses.entry([a.min(b), a.max(b)]).or_insert((0, [a, b])).0 += 1;
         }
     }
-    // Each vertex of a boundary, and the next along the faces; ordered, so that caps have the same numbers in every run.
+    // Each boundary vertex and its successor along the faces; ordered, so that caps get the same numbers in every run.
     let mut next: BTreeMap<u32, u32> = BTreeMap::new();
     for &(_, [a, b]) in uses.values().filter(|(n, _)| *n == 1) {
         if next.insert(a, b).is_some() {
@@ -107,14 +107,15 @@ fn covered(mesh: &SurfaceMesh) -> Option<(Cutting, Option<u32>)> {
     Some((Cutting { before: vertices.clone(), vertices, triangles, caps }, n_tunnels))
 }
 
-/// Closes the tunnels of an oriented manifold, closed or open, shortest loop first. `None` if the mesh is no such surface, or has no
-/// tunnel. If the loops take more than a bounded effort to find, tunnels are left ([`ClosedTunnels::n_closed`]).
+/// Closes the tunnels of an oriented manifold, closed or open, shortest loop first. `None` if the mesh is not an
+/// oriented manifold or has no tunnel. The search has a bounded effort; tunnels beyond it stay open
+/// ([`ClosedTunnels::n_closed`]).
 ///
 /// # Errors
 /// None for a valid mesh.
 ///
 /// # Cost
-/// For each tunnel `O(n log n)`, and a search within half the length of the loop around `O(√n)` vertices.
+/// For each tunnel `O(n log n)`, plus a search within half the length of the loop around `O(√n)` vertices.
 pub fn close_tunnels(mesh: &SurfaceMesh) -> Result<Option<ClosedTunnels>, MeshError> {
     let Some((mut surface, Some(n_tunnels))) = covered(mesh).filter(|(_, n)| n.is_some_and(|n| n > 0)) else {
         return Ok(None);
@@ -146,22 +147,22 @@ pub fn close_tunnels(mesh: &SurfaceMesh) -> Result<Option<ClosedTunnels>, MeshEr
     Ok(Some(closed))
 }
 
-/// How many vertices all searches together may reach, for each vertex of the mesh: about a minute for 200,000 vertices.
+/// Limit of the vertices reached by all searches together, per vertex of the mesh: about a minute for 200,000 vertices.
 const EFFORT_PER_VERTEX: u64 = 1000;
-/// How many vertices a search may reach that only names a tunnel: a second or two.
+/// Limit of the vertices reached by a search that only names a tunnel: a second or two.
 const EFFORT_TO_NAME: u64 = 5_000_000;
 
 struct Cutting {
     vertices: Vec<Point3<f64>>,
-    /// Where the vertices were at first: those of the mesh, copies where these were, and the middles of caps.
+    /// Original positions of the vertices: of the mesh, of the copies, and of the middles of caps.
     before: Vec<Point3<f64>>,
     triangles: Vec<[u32; 3]>,
-    /// Vertices in the middles of the fans that cover boundaries.
+    /// Middle vertices of the fans that cover boundaries.
     caps: Range<u32>,
 }
 
 impl Cutting {
-    /// Takes away what covers the boundaries.
+    /// Removes the fans that cover boundaries.
     fn uncover(&mut self) {
         let caps = std::mem::replace(&mut self.caps, 0..0);
         let n = caps.end - caps.start;
@@ -195,7 +196,7 @@ impl Cutting {
         }
     }
 
-    /// Gives the faces right of the loop vertices of their own. Returns these, in the order of the loop.
+    /// Gives the faces right of the loop their own vertices, and returns these in the order of the loop.
     fn copied(&mut self, around: &[u32], place: &HashMap<u32, usize>) -> Vec<u32> {
         let n = around.len();
         let first_copy = self.vertices.len() as u32;
@@ -236,7 +237,7 @@ impl Cutting {
         (0..n as u32).map(|k| first_copy + k).collect()
     }
 
-    /// New positions of the vertices of an open rim: a little towards their neighbors that are not on it.
+    /// New positions of the vertices of an open rim: moved a little towards their neighbors beside the rim.
     fn drawn_in(&self, rim: &[u32]) -> Vec<(u32, Point3<f64>)> {
         let place: HashMap<u32, usize> = rim.iter().copied().zip(0..).collect();
         let mut sums = vec![(Vector3::zeros(), 0.0); rim.len()];

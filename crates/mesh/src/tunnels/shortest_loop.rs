@@ -1,14 +1,16 @@
 //! The shortest loop of edges that does not separate a closed surface.
 //!
-//! A spanning tree of the vertices and one of the faces that crosses none of its edges leave `2·genus` edges (tree-cotree
-//! decomposition). Each closes a loop in the tree of the faces; how often, modulo 2, a loop of edges crosses these `2·genus`
-//! loops is its homology class, and a simple loop separates the surface exactly if the class is zero. So every edge gets a
-//! signature, and those of a loop's edges add up to its class. A loop that does not separate has an edge whose signature is
-//! not zero, so searching from one end of each such edge finds the shortest; a search from a vertex ends at half the length
-//! of the shortest loop so far.
+//! A spanning tree of the vertices, and a spanning tree of the faces that crosses none of its edges, leave `2·genus`
+//! edges (tree-cotree decomposition). Each of these edges closes a loop in the tree of the faces. The numbers, modulo
+//! 2, of crossings between a loop of edges and these `2·genus` loops form the homology class of the loop of edges. A
+//! simple loop separates the surface exactly if its class is zero.
 //!
-//! The `2·genus` bits of a signature are replaced by random words of 64 bits: a class that is not zero is missed with a
-//! chance of one in 2⁶⁴.
+//! Every edge therefore gets a signature, and the signatures along a loop add up to its class. A loop that does not
+//! separate has an edge with a nonzero signature, so a search from one end of each such edge finds the shortest. A
+//! search from a vertex ends at half the length of the shortest loop so far.
+//!
+//! Random words of 64 bits replace the `2·genus` bits of a signature: a nonzero class is missed with a probability of
+//! 2⁻⁶⁴.
 //!
 //! # Source
 //! Eppstein, "Dynamic generators of topologically embedded graphs", SODA 2003 (tree-cotree); Erickson and Whittlesey, "Greedy
@@ -31,10 +33,11 @@ pub(super) struct Loop {
 
 const NONE: u32 = u32::MAX;
 
-/// The shortest loop that does not separate the surface, a closed oriented manifold of `triangles`; `None` if each one does.
-/// The vertices `caps` are the middles of fans that cover boundaries: no loop goes through them, unless `effort` is used up.
+/// The shortest loop that does not separate the surface, a closed oriented manifold of `triangles`; `None` if every
+/// loop separates it. The vertices `caps` are the middles of fans that cover boundaries: no loop goes through them,
+/// unless `effort` is used up.
 ///
-/// `effort` is how many vertices may be reached; when it is used up, the shortest loop so far is returned.
+/// `effort` limits the number of vertices reached; when it is used up, the shortest loop so far is returned.
 ///
 /// # Cost
 /// `O(n log n)`, and a bounded search around each of `O(genus · √n)` vertices.
@@ -51,7 +54,7 @@ pub(super) fn shortest_loop(
     let signatures = signatures(&net, &whole, triangles.len());
     let signed: Vec<u32> = (0..net.edges.len() as u32).filter(|&e| signatures[e as usize] != 0).collect();
 
-    // Each signed edge closes a loop with the tree: a first bound.
+    // Each signed edge closes a loop with the tree, which gives a first bound.
     let mut best: Option<Loop> = None;
     for &e in &signed {
         shorter(&mut best, whole.closed_by(&net, e));
@@ -81,7 +84,7 @@ struct Edge {
     length: f64,
 }
 
-/// The edges of a surface, and for each vertex those at it.
+/// The edges of a surface, and the edges at each vertex.
 struct Net {
     edges: Vec<Edge>,
     starts: Vec<u32>,
@@ -104,7 +107,7 @@ impl Net {
             .map(|uses| Edge { ends: uses[0].0, faces: [uses[0].1, uses[1].1], length: length(uses[0].0) })
             .collect();
         if !caps.is_empty() {
-            // Longer than any loop without them; and every class has one, because what is covered are disks.
+            // Longer than any loop without caps. Every class has such a loop, because the covered parts are disks.
             let longer = 1.0 + edges.iter().map(|edge| edge.length).sum::<f64>();
             let of_caps = edges.iter_mut().filter(|edge| edge.ends.iter().any(|v| caps.contains(v)));
             of_caps.for_each(|edge| edge.length = longer);
@@ -135,11 +138,11 @@ impl Net {
     }
 }
 
-/// Shortest paths from a root, or from a root of each piece.
+/// Shortest paths from one root per piece.
 struct Tree {
     /// The edge towards the root; [`NONE`] for roots.
     parent: Vec<u32>,
-    /// Edges to the root.
+    /// Number of edges to the root.
     depth: Vec<u32>,
 }
 
@@ -165,7 +168,7 @@ impl Tree {
         tree
     }
 
-    /// The simple loop that an edge outside the tree closes.
+    /// The simple loop closed by an edge outside the tree.
     fn closed_by(&self, net: &Net, e: u32) -> Loop {
         let [a, b] = net.edges[e as usize].ends;
         closed(net, e, [a, b], |v| self.depth[v as usize], |v| self.parent[v as usize])
@@ -190,7 +193,7 @@ fn closed(net: &Net, e: u32, ends: [u32; 2], depth: impl Fn(u32) -> u32, parent:
     Loop { vertices: left, length_mm }
 }
 
-/// For each edge its signature.
+/// The signature of each edge.
 fn signatures(net: &Net, tree: &Tree, n_faces: usize) -> Vec<u64> {
     let mut in_tree = vec![false; net.edges.len()];
     tree.parent.iter().filter(|&&e| e != NONE).for_each(|&e| in_tree[e as usize] = true);
@@ -207,7 +210,7 @@ fn signatures(net: &Net, tree: &Tree, n_faces: usize) -> Vec<u64> {
             filled[f as usize] += 1;
         }
     }
-    // The tree of the faces, breadth first so that its paths are short.
+    // The tree of the faces, breadth first for short paths.
     let (mut parent, mut reached) = (vec![NONE; n_faces], vec![false; n_faces]);
     let mut used = vec![false; net.edges.len()];
     let mut queue: Vec<u32> = Vec::with_capacity(n_faces);
@@ -237,7 +240,7 @@ fn signatures(net: &Net, tree: &Tree, n_faces: usize) -> Vec<u64> {
     for (k, e) in (1u64..).zip(left_over) {
         let word = mixed(k);
         signatures[e] ^= word;
-        // What both paths have in common cancels out.
+        // The common part of both paths cancels out.
         for mut f in net.edges[e].faces {
             while parent[f as usize] != NONE {
                 let up = parent[f as usize];
@@ -258,7 +261,7 @@ fn mixed(k: u64) -> u64 {
     x ^ x >> 31
 }
 
-/// Dijkstra's algorithm, whose memory is kept between searches.
+/// Dijkstra's algorithm with memory that is reused between searches.
 struct Search {
     distance: Vec<f64>,
     parent: Vec<u32>,
@@ -266,7 +269,7 @@ struct Search {
     class: Vec<u64>,
     settled: Vec<bool>,
     touched: Vec<u32>,
-    /// Bits of a distance, which is not negative, and the vertex.
+    /// Bits of a non-negative distance, and the vertex.
     queue: BinaryHeap<Reverse<(u64, u32)>>,
 }
 
@@ -319,7 +322,7 @@ impl Search {
         Some((v, distance))
     }
 
-    /// Looks for a shorter loop through `base`; returns how many vertices were reached.
+    /// Looks for a shorter loop through `base`; returns the number of vertices reached.
     fn around(&mut self, net: &Net, signatures: &[u64], base: u32, best: &mut Option<Loop>) -> u64 {
         let mut reached = 0;
         self.start(base);
@@ -380,8 +383,8 @@ mod tests {
         roots.iter().all(|&r| r == roots[0])
     }
 
-    /// The length of the shortest loop that does not separate, the slow way: for each vertex a tree of shortest paths, and
-    /// for each further edge the loop that it closes, cut in fact.
+    /// The length of the shortest loop that does not separate, the slow way: builds a tree of shortest paths for each
+    /// vertex, and cuts along the loop that each further edge closes.
     fn slow(mesh: &SurfaceMesh) -> f64 {
         let net = Net::new(mesh.vertices(), &mesh.triangles(), &(0..0));
         let mut best = f64::INFINITY;

@@ -52,7 +52,7 @@ fn closed(mesh: &SurfaceMesh) -> ClosedTunnels {
     assert_eq!(closed.mesh.n_vertices(), n + closed.n_copied + closed.n_added);
     let moved = mesh.vertices().iter().zip(closed.mesh.vertices()).map(|(a, b)| (a - b).norm());
     assert!(moved.fold(0.0, f64::max) <= closed.largest_mm);
-    // The faces that were there have the corners that they had, or copies of these.
+    // The original faces keep their corners, or have copies of these.
     let place = |v: u32| closed.mesh.vertices()[v as usize];
     for (before, after) in mesh.triangles().into_iter().zip(closed.mesh.triangles()) {
         for (v, w) in before.into_iter().zip(after) {
@@ -99,7 +99,7 @@ fn surfaces_without_tunnels_are_left_as_they_are() {
     assert_eq!(narrowest_tunnel(&tube), None);
 }
 
-/// `mesh` without the triangles of which all corners are within `radius` of one of `places`.
+/// `mesh` without the triangles whose corners all lie within `radius` of one of `places`.
 fn opened(mesh: &SurfaceMesh, places: &[Point3<f64>], radius: f64) -> SurfaceMesh {
     let near = |v: &u32| places.iter().any(|p| (p - mesh.vertices()[*v as usize]).norm() < radius);
     let kept = mesh.triangles().into_iter().filter(|t| !t.iter().all(near)).flatten().collect();

@@ -1,28 +1,28 @@
 //! Digital topology on voxels: 6-connected foreground, 26-connected background.
 //!
 //! Simple points by the local criterion of Bertrand and Malandain (Pattern Recognition Letters 15, 1994): a voxel may
-//! change sides without changing the topology if it sees one foreground component and one background component
-//! among its neighbours. Well-composed sets (Latecki, Eckhardt, Rosenfeld, CVIU 61, 1995) have no two voxels that
-//! touch along an edge or at a corner only; their boundary is a 2-manifold. Betti numbers from the Euler number of
-//! the complex of voxel centres, face-adjacent pairs, squares and cubes.
+//! change sides without changing the topology if its neighbors form one foreground component and one background
+//! component around it. Well-composed sets (Latecki, Eckhardt, Rosenfeld, CVIU 61, 1995) have no two voxels that touch
+//! along an edge or at a corner only; their boundary is a 2-manifold. Betti numbers follow from the Euler number of the
+//! complex of voxel centers, face-adjacent pairs, squares and cubes.
 
 use super::VoxelMask;
 
-/// The 27 voxels around one, bit `x + 3y + 9z`, the middle one bit 13.
+/// The 3×3×3 block around a voxel: bit `x + 3y + 9z`, the middle has bit 13.
 type Neighborhood = u32;
 
 const CENTER: Neighborhood = 1 << 13;
 const ALL: Neighborhood = (1 << 27) - 1;
 
-/// Tables for the local tests: adjacencies within a 3×3×3 block, and which 2×2×2 blocks are well-composed.
+/// Tables for the local tests: adjacencies within a 3×3×3 block, and well-composed 2×2×2 blocks.
 pub(super) struct LocalTopology {
     six: [Neighborhood; 27],
     all: [Neighborhood; 27],
-    /// The 6 face neighbours of the middle.
+    /// The 6 face neighbors of the middle.
     faces: Neighborhood,
-    /// The 18 neighbours that share a face or an edge with it.
+    /// The 18 neighbors that share a face or an edge with it.
     near: Neighborhood,
-    /// For each of the eight 2×2×2 blocks around the middle its bits, in the order of [`WELL_COMPOSED`].
+    /// The bits of each of the eight 2×2×2 blocks around the middle, in the order of [`WELL_COMPOSED`].
     octants: [[u8; 8]; 8],
 }
 
@@ -135,7 +135,7 @@ pub(super) fn neighborhood(voxels: &[bool], at: usize, [_, sy, sz]: [usize; 3]) 
     block
 }
 
-/// Whether no two voxels of the set, nor of its complement, touch along an edge or at a corner only.
+/// Whether no two voxels of the set, nor two of its complement, touch along an edge or at a corner only.
 ///
 /// Cost `O(voxels)`.
 pub fn is_well_composed(mask: &VoxelMask) -> bool {
@@ -159,7 +159,7 @@ fn block_bits(voxels: &[bool], at: usize, sy: usize, sz: usize) -> usize {
 pub struct BettiNumbers {
     /// 6-connected pieces.
     pub n_pieces: u32,
-    /// Tunnels through them.
+    /// Tunnels through the pieces.
     pub n_tunnels: u32,
     /// Enclosed holes.
     pub n_cavities: u32,
@@ -196,14 +196,14 @@ fn euler_number(mask: &VoxelMask) -> i64 {
     sum
 }
 
-/// Voxels outside the set that it encloses, all cavities together. Cost `O(voxels)`.
+/// Number of voxels enclosed by the set, in all cavities together. Cost `O(voxels)`.
 pub fn n_enclosed(mask: &VoxelMask) -> usize {
-    // The border of the box is empty, so that the first piece is what lies around the set.
+    // The border of the box is empty, so the first component is the outside of the set.
     components(mask, false).1.iter().skip(1).sum()
 }
 
-/// Number of the component of every voxel of one side (`u32::MAX` on the other) and the components' sizes, numbered
-/// by their first voxel: 6-connected foreground, or 26-connected background.
+/// The component of every voxel of one side (`u32::MAX` on the other side), and the sizes of the components. Components
+/// are numbered by their first voxel: 6-connected foreground, or 26-connected background.
 pub(super) fn components(mask: &VoxelMask, foreground: bool) -> (Vec<u32>, Vec<usize>) {
     let v = mask.voxels();
     let steps = steps(mask, foreground);
@@ -234,7 +234,7 @@ pub(super) fn components(mask: &VoxelMask, foreground: bool) -> (Vec<u32>, Vec<u
     (number, sizes)
 }
 
-/// The steps to neighbours of the foreground (6) or of the background (26), along the axes and in the array.
+/// The steps to neighbors of the foreground (6) or of the background (26), along the axes and in the array.
 fn steps(mask: &VoxelMask, foreground: bool) -> Vec<([i8; 3], isize)> {
     let strides = mask.strides().map(|s| s as isize);
     let place = |k: i8| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1];

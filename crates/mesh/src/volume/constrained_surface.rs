@@ -1,24 +1,26 @@
 //! A smooth surface that loses no voxel: every vertex stays on a lattice edge between a voxel of the set and one outside.
 //!
-//! The surface is that of marching cubes (`cubes`) on the set itself, so its topology is that of the set (6-connected
-//! foreground, 26-connected background) however thin a part is. It has one vertex for each boundary face of the set, on the
-//! segment between the centers of the two voxels that share the face. Only the place on that segment is chosen:
+//! The surface is computed by marching cubes (`cubes`) on the set itself, so it has the topology of the set
+//! (6-connected foreground, 26-connected background), however thin a part is. It has one vertex for each boundary face
+//! of the set, on the segment between the centers of the two voxels that share the face. Only the position on that
+//! segment is chosen:
 //!
-//! 1. **Start.** Where the mask, filtered by a Gaussian of 0.7 voxels, crosses 0.5 on the segment, or else its nearer end. The
-//!    filter takes from a part less than two voxels thick more than noise could: a plate of one voxel loses 0.42 voxels on
-//!    either side. The volume of the voxels that is missing is known for each cube of the lattice; averaged over a neighborhood
-//!    it says where parts are thin, and there vertices move along their normals until it is made up for.
-//! 2. **Fairing.** A smooth surface that was sampled by voxels passes through all segments, somewhere. The places minimize the
-//!    squared distances, along the normals, of vertices from the mean of their neighbors, plus a weight on the squared distances
-//!    from the start, within the segments: constrained elastic surface nets (Gibson, MICCAI 1998) with an energy of bending in
-//!    place of area, so that convex parts do not shrink. Thin parts, which bend most, have the larger weight, and get back once
-//!    more what they lose.
-//! 3. **Volume.** All vertices move along their normals, within the segments, by the one distance with which the surface encloses
-//!    the volume of the voxels.
+//! 1. **Start.** The vertex starts where the mask, filtered by a Gaussian of 0.7 voxels, crosses 0.5 on the segment, or
+//!    at the nearer end. The filter removes more than noise could from a part less than two voxels thick: a plate of
+//!    one voxel loses 0.42 voxels on either side. The missing volume is known for each cube of the lattice. Averaged
+//!    over a neighborhood it shows where parts are thin, and there vertices move along their normals until the volume
+//!    is restored.
+//! 2. **Fairing.** A smooth surface that was sampled by voxels passes through all segments. The positions minimize the
+//!    squared distances, along the normals, of vertices from the mean of their neighbors, plus a weight on the squared
+//!    distances from the start, within the segments. This is the method of constrained elastic surface nets (Gibson,
+//!    MICCAI 1998) with a bending energy in place of area, so that convex parts do not shrink. Thin parts, which bend
+//!    most, have the larger weight, and their lost volume is restored once more.
+//! 3. **Volume.** All vertices move along their normals, within the segments, by one common distance, chosen so that
+//!    the surface encloses the volume of the voxels.
 //!
-//! That the last step always succeeds is a matter of finitely many cases: in a cube of the lattice with any of the 256 patterns,
-//! the surface encloses less than the eighths of voxels there if all its vertices are at the inner ends of their segments, and
-//! more if all are at the outer ends (a test counts them).
+//! The last step always succeeds, as a check of finitely many cases shows: in a cube of the lattice with any of the 256
+//! patterns, the surface encloses less than the eighths of voxels there if all its vertices are at the inner ends of
+//! their segments, and more if all are at the outer ends (a test counts them).
 
 mod cells;
 mod fairing;
@@ -31,37 +33,37 @@ use cells::deficits;
 use fairing::Fairing;
 use nalgebra::{Matrix3, Vector3};
 
-/// Largest distance of a vertex from its voxel face, in voxels along the axis: the surface keeps clear of voxel centers, so that
-/// no triangle degenerates.
+/// Largest distance of a vertex from its voxel face, in voxels along the axis. The surface keeps clear of voxel
+/// centers, so that no triangle degenerates.
 const REACH: f64 = 0.5 - MARGIN;
 
-/// Standard deviation of the filter by which the surface starts, in voxels: the least that removes the steps between voxels.
+/// Standard deviation of the filter for the start, in voxels: the smallest that removes the steps between voxels.
 const FILTER_VOXELS: f64 = 0.7;
 
-/// Rounds in which thin parts get their volume: the first ones overshoot.
+/// Rounds in which thin parts regain their volume: the first ones overshoot.
 const THIN_ROUNDS: usize = 3;
 
-/// Rounds of averaging over neighbors that spread a difference of volumes: over about three voxels.
+/// Rounds of averaging over neighbors that spread a volume difference, over about three voxels.
 const SPREADING: usize = 8;
 
-/// Distance by which the surface would have to move for its local volume, from which a part is thin, in voxels: between the
-/// standard deviation of that distance for a surface cut by voxels at random (0.29 voxels, averaged over the 20 independent ones
-/// of a neighborhood) and what the filter takes from one side of a plate of one voxel.
+/// Distance, in voxels, by which the surface would have to move to restore its local volume, above which a part counts
+/// as thin. It lies between the standard deviation of that distance for a surface cut by voxels at random (0.29 voxels,
+/// averaged over the 20 independent ones of a neighborhood) and the loss on one side of a plate of one voxel.
 const THIN_VOXELS: f64 = 0.3;
 
-/// Rounds of fairing, each with the normals that the one before left.
+/// Rounds of fairing, each with the normals from the previous round.
 const FAIRING_ROUNDS: usize = 3;
 
-/// Weight of the squared distance from the start in fairing, and what a thin part adds to it: 0.02 leaves waves of eight voxels
-/// and more as they are, 1 only removes steps between neighbors.
+/// Weight of the squared distance from the start in fairing, and the additional weight of a thin part: 0.02 leaves
+/// waves of eight or more voxels unchanged, 1 only removes steps between neighbors.
 const START_WEIGHT: f64 = 0.02;
 const THIN_WEIGHT: f64 = 1.0;
 
-/// A vertex moves along its segment by at most this many times the distance that its normal has to move: the segments of the
-/// others determine the surface where it is nearly parallel to this one.
+/// Limit of the movement of a vertex along its segment, in multiples of the movement along its normal. Where the
+/// surface is nearly parallel to a segment, the segments of other vertices determine it.
 const STEEPEST: f64 = 4.0;
 
-/// Relative difference of volumes at which the last correction ends.
+/// Relative volume difference at which the last correction ends.
 const VOLUME_TOLERANCE: f64 = 1e-6;
 
 /// The surface of `mask` in world mm: triangles, facing outwards. It has the topology of the set, encloses its volume, and lies
@@ -78,7 +80,7 @@ pub fn constrained_surface(mask: &VoxelMask) -> Result<SurfaceMesh, MeshError> {
     let steps = mask.strides();
     let start = |_: usize, low: usize, axis: usize| {
         let (a, b) = (field[low], field[low + steps[axis]]);
-        // The filter falls from the voxel inside to the one outside, but for rare patterns.
+        // The filtered mask falls from the voxel inside to the voxel outside, except for rare patterns.
         if (a > b) == mask.voxels()[low] && a != b { ((0.5 - a) / (b - a)).clamp(MARGIN, 1.0 - MARGIN) } else { 0.5 }
     };
     let mut net = Net::new(mask, cut(mask, inside, start));
@@ -87,7 +89,7 @@ pub fn constrained_surface(mask: &VoxelMask) -> Result<SurfaceMesh, MeshError> {
     net.fill_thin_parts(&neighbors, &thinness);
     net.fair(&neighbors, &thinness);
     net.fill_thin_parts(&neighbors, &thinness);
-    // The diagonals that are shortest now.
+    // The diagonals that are shortest after the vertices have moved.
     let voxels = std::mem::take(&mut net.contour.voxels);
     let contour = cut(mask, inside, |number, _, axis| voxels[number][axis].fract());
     net = Net { contour, ..net };
@@ -95,14 +97,14 @@ pub fn constrained_surface(mask: &VoxelMask) -> Result<SurfaceMesh, MeshError> {
     net.contour.mesh(mask)
 }
 
-/// The surface while its vertices move.
+/// The surface while its vertices are being moved.
 struct Net {
     contour: Contour,
     /// Voxels to mm, without a reflection.
     frame: Matrix3<f64>,
     /// For each vertex the outward direction along its segment, voxels; zero for the middle of a loop.
     outward: Vec<Vector3<f64>>,
-    /// For each vertex its distance from the voxel face along that direction, in `[−REACH, REACH]`.
+    /// Distance of each vertex from the voxel face along that direction, in `[−REACH, REACH]`.
     offset: Vec<f64>,
 }
 
@@ -138,7 +140,7 @@ impl Net {
         self.contour.voxels[v] += self.outward[v] * change;
     }
 
-    /// Puts the middles of loops where their loops are.
+    /// Moves the middle vertices to their loops.
     fn place_middles(&mut self) {
         for v in 0..self.contour.origins.len() {
             if let Origin::Middle(ring) = &self.contour.origins[v] {
@@ -160,8 +162,8 @@ impl Net {
         areas
     }
 
-    /// For each vertex the distance along the normal by which the surface around it would have to move to enclose the volume of
-    /// the voxels there, mm, and the steps of [`Net::steps`].
+    /// For each vertex the distance, mm, by which the surface around it would have to move along the normal to enclose
+    /// the volume of the voxels there; and the steps of [`Net::steps`].
     fn missing_mm(&self, neighbors: &Neighbors) -> (Vec<f64>, Vec<f64>) {
         let n = self.offset.len();
         let areas = self.area_vectors();
@@ -172,7 +174,7 @@ impl Net {
             let part = deficit / (3 * triangles.len()) as f64;
             triangles.iter().flatten().for_each(|&v| missing[v as usize] += part);
         }
-        // Volume for each mm along the normals, in voxels.
+        // Volume, in voxels, per mm along the normals.
         let per_mm3 = 1.0 / self.frame.determinant();
         let gain = |v: usize| areas[v].dot(&(self.frame * self.outward[v])).max(0.0) / 3.0 * steps[v] * per_mm3;
         let mut gain: Vec<f64> = (0..n).map(gain).collect();
@@ -184,14 +186,14 @@ impl Net {
         (distances, steps)
     }
 
-    /// For each vertex whether the part around it is thin, from 0 to 1: a half where the surface would have to move by
-    /// `limit_mm` for its local volume.
+    /// Thinness of the part around each vertex, from 0 to 1; it is 0.5 where the surface would have to move by
+    /// `limit_mm` to restore its local volume.
     fn thinness(&self, neighbors: &Neighbors, limit_mm: f64) -> Vec<f64> {
         let (distances, _) = self.missing_mm(neighbors);
         distances.iter().map(|d| 1.0 - 1.0 / (1.0 + (d / limit_mm).powi(4))).collect()
     }
 
-    /// Moves thin parts along their normals until they have the volume of their voxels.
+    /// Moves thin parts along their normals until they enclose the volume of their voxels.
     fn fill_thin_parts(&mut self, neighbors: &Neighbors, thinness: &[f64]) {
         for _ in 0..THIN_ROUNDS {
             let (distances, steps) = self.missing_mm(neighbors);
@@ -224,7 +226,8 @@ impl Net {
         self.move_all_until(target, &steps);
     }
 
-    /// For each vertex how far, in voxels, it moves outwards along its segment to move the surface by 1 mm along the normal.
+    /// For each vertex the distance, in voxels, that it moves outward along its segment to move the surface by 1 mm
+    /// along the normal.
     fn steps(&self, normals: &[Vector3<f64>]) -> Vec<f64> {
         let step = |v: usize| {
             let along = self.frame * self.outward[v];
@@ -234,7 +237,7 @@ impl Net {
         (0..self.offset.len()).map(step).collect()
     }
 
-    /// Moves all vertices along the normals by the one distance with which the surface encloses `target` voxels.
+    /// Moves all vertices along the normals by one common distance, so that the surface encloses `target` voxels.
     fn move_all_until(&mut self, target: f64, steps: &[f64]) {
         let start = self.offset.clone();
         let excess = |net: &mut Net, distance: f64| {
@@ -256,7 +259,7 @@ impl Net {
         if (here.1 > 0.0) == (there.1 > 0.0) {
             return;
         }
-        // Regula falsi, with the weight of an end that stays halved (Illinois).
+        // Regula falsi that halves the weight of an end that stays (Illinois).
         for _ in 0..200 {
             let distance = (here.0 * there.1 - there.0 * here.1) / (there.1 - here.1);
             let next = (distance, excess(self, distance));
@@ -274,7 +277,7 @@ impl Net {
 
     /// The enclosed volume, in voxels.
     fn volume(&self) -> f64 {
-        // About a point of the surface, so that its distance from the corner of the volume costs no digits.
+        // Relative to a point of the surface, so that its distance from the corner of the volume costs no digits.
         let center = self.contour.voxels.first().copied().unwrap_or_else(Vector3::zeros);
         let parts = self.contour.triangles.iter().map(|t| {
             let [a, b, c] = t.map(|v| self.contour.voxels[v as usize] - center);
@@ -284,7 +287,8 @@ impl Net {
     }
 }
 
-/// Unit normals, of the areas around a vertex and its neighbors: those of single triangles between voxels are steps.
+/// Unit normals from the areas around a vertex and its neighbors, because normals of single triangles between voxels
+/// form steps.
 fn normals(areas: &[Vector3<f64>], neighbors: &Neighbors) -> Vec<Vector3<f64>> {
     let around = |v: usize| neighbors.of_vertex(v).iter().fold(areas[v], |sum, &k| sum + areas[k as usize]);
     (0..areas.len()).map(|v| around(v).try_normalize(0.0).unwrap_or_else(Vector3::zeros)).collect()
@@ -319,7 +323,7 @@ impl Neighbors {
         &self.ends[self.starts[v] as usize..self.starts[v + 1] as usize]
     }
 
-    /// Half of each value given to the neighbors, in equal parts.
+    /// Values after every vertex gives half of its value to its neighbors, in equal parts.
     fn spread(&self, values: &[f64]) -> Vec<f64> {
         let mut spread: Vec<f64> = values.iter().map(|x| x / 2.0).collect();
         for (v, value) in values.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Laws over random volumes, and shapes of which volume, area and curvature are known.
+//! Laws over random volumes, and shapes of known volume, area and curvature.
 
 use super::*;
 use crate::topology::{analyze, topology_report};
@@ -30,8 +30,8 @@ fn net_at(mask: &VoxelMask, offset: f64) -> Net {
     net
 }
 
-/// With all vertices at the inner ends of their segments too little is enclosed in a cube of any pattern, at the outer ends too
-/// much: so there is a distance with the right volume for any set.
+/// With all vertices at the inner ends of their segments the surface encloses too little in a cube of any pattern, and
+/// at the outer ends too much. Therefore some distance gives the right volume for any set.
 #[test]
 fn in_every_pattern_the_segments_reach_on_both_sides_of_the_right_volume() {
     for pattern in 1..255usize {
@@ -116,7 +116,7 @@ proptest! {
         prop_assert_eq!(analyze(&surface(&filled)).fault, None);
     }
 
-    /// Smoothing acts in millimetres, so a rigid motion or a mirror image of the volume moves the surface with it.
+    /// Smoothing acts in millimeters, so a rigid motion or a mirror image of the volume moves the surface with it.
     #[test]
     fn moving_the_volume_moves_the_surface(mask in sets(), angles in proptest::array::uniform3(-3.0..3.0f64), mirrored: bool) {
         let mut motion = Rotation3::from_euler_angles(angles[0], angles[1], angles[2]).to_homogeneous();

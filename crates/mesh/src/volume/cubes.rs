@@ -1,12 +1,12 @@
 //! Marching cubes with traced contours instead of a published case table, so that the surface is closed and 2-manifold.
 //!
 //! Every lattice edge that crosses the level carries one vertex. On each face of a cube the crossings are joined so
-//! that corners above the level are kept apart where the face is ambiguous; the rule looks at the face alone, so the
-//! two cubes that share it agree. The segments of a cube close to loops. A loop is cut into triangles by the shortest
-//! diagonals of which none lies in a face of the cube (such a diagonal could be used by the neighbouring cube too and
-//! become a non-manifold edge); where that is impossible the loop gets a vertex in its middle. Two corners below the level at
-//! opposite ends of a cube are joined by a tube between their loops. So what is above the level is connected through faces of
-//! voxels, and what is below through faces, edges and corners.
+//! that corners above the level are kept apart where the face is ambiguous. The rule uses only the face, so the two
+//! cubes that share it agree. The segments of a cube close to loops. A loop is cut into triangles by the shortest
+//! diagonals that do not lie in a face of the cube, because the neighboring cube could use such a diagonal too and make
+//! it a non-manifold edge. Where that is impossible the loop gets a vertex in its middle. Two corners below the level
+//! at opposite ends of a cube are joined by a tube between their loops. The part above the level is therefore connected
+//! through faces of voxels, and the part below through faces, edges and corners.
 //!
 //! Corners `0..8` have bit 0, 1, 2 for x, y, z. Edge `4·axis + k` runs along `axis`; `k` holds the other two bits.
 
@@ -14,8 +14,8 @@ use super::VoxelMask;
 use crate::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::Vector3;
 
-/// Vertices keep this share of an edge from its ends, so that no triangle degenerates where the field equals the level
-/// at a lattice point.
+/// Least distance of vertices from the ends of an edge, as a share of the edge: no triangle degenerates where the field
+/// equals the level at a lattice point.
 pub(super) const MARGIN: f64 = 0.05;
 
 /// Relative difference below which two lengths are equal, so that rounding does not decide between diagonals.
@@ -47,7 +47,7 @@ fn edge_corner(edge: usize) -> usize {
     }
 }
 
-/// The contour loops of all 256 sign patterns, and which edges share a face.
+/// The contour loops of all 256 sign patterns, and the pairs of edges that share a face.
 struct Cases {
     loops: Vec<Vec<Vec<usize>>>,
     share_face: [[bool; 12]; 12],
@@ -68,7 +68,7 @@ impl Cases {
     }
 }
 
-/// Whether all corners of a cube are above the level but two at opposite ends.
+/// Whether all corners of a cube are above the level except two at opposite ends.
 fn below_at_opposite_ends(pattern: usize) -> bool {
     (0..4).any(|corner| pattern == 255 & !(1 << corner | 1 << (7 - corner)))
 }
@@ -81,13 +81,13 @@ fn trace_loops(pattern: usize) -> Vec<Vec<usize>> {
     for face in FACES {
         let edge = |k: usize| edge_between(face[k % 4], face[(k + 1) % 4]);
         for k in 0..4 {
-            // Where the contour leaves the corners above, it came in at the start of the same run of corners.
+            // A contour that leaves the corners above the level entered at the start of the same run of corners.
             if above(face[k]) && !above(face[(k + 1) % 4]) {
                 let mut first = k + 4;
                 while above(face[(first - 1) % 4]) {
                     first -= 1;
                 }
-                // Against the direction of the run: seen from below the level the loop is then counter-clockwise.
+                // Against the direction of the run: the loop is then counter-clockwise seen from below the level.
                 next[edge(first + 3)] = edge(k);
             }
         }
@@ -124,7 +124,7 @@ pub(super) fn iso_surface(mask: &VoxelMask, field: &[f64], level: f64) -> Result
     cut(mask, |k| field[k] >= level, share).mesh(mask)
 }
 
-/// Where the surface crosses a lattice edge.
+/// A crossing of the surface with a lattice edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Crossing {
     /// The lower end of the edge, an index of [`VoxelMask::voxels`].
@@ -137,12 +137,12 @@ pub(super) struct Crossing {
     pub share: f64,
 }
 
-/// What a vertex is.
+/// The origin of a vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Origin {
     /// The crossing of a lattice edge.
     Edge(Crossing),
-    /// The mean of these vertices, a loop that could not be cut into triangles.
+    /// The mean of these vertices, whose loop could not be cut into triangles.
     Middle(Vec<u32>),
 }
 
@@ -151,7 +151,7 @@ pub(super) enum Origin {
 pub(super) struct Cell {
     /// Its lowest corner.
     pub place: [usize; 3],
-    /// Which of its corners are inside.
+    /// Its inner corners, a bit each.
     pub pattern: u8,
     /// The vertices on its edges; `u32::MAX` where an edge is not crossed.
     pub edges: [u32; 12],
@@ -162,7 +162,7 @@ pub(super) struct Cell {
 /// A closed surface between the lattice points inside and those outside.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Contour {
-    /// What each vertex is.
+    /// The origin of each vertex.
     pub origins: Vec<Origin>,
     /// Positions in voxels, whole numbers at lattice points.
     pub voxels: Vec<Vector3<f64>>,
@@ -186,8 +186,8 @@ impl Contour {
 }
 
 /// The surface between the lattice points for which `inside` holds (none on the border of the box) and the others.
-/// `share(number, low, axis)` is where the vertex of that number lies on its edge, in voxels from its lower end, strictly
-/// between 0 and 1. Numbers depend on `inside` alone.
+/// `share(number, low, axis)` positions vertex `number` on its edge, in voxels from its lower end, strictly between 0
+/// and 1. Numbers depend on `inside` alone.
 ///
 /// # Cost
 /// `O(voxels)`.
@@ -216,7 +216,8 @@ struct Cutter<'a, I, S> {
     cases: Cases,
     corner_steps: [usize; 8],
     contour: Contour,
-    /// Vertices on x, y and z edges from the lattice points of this layer, and x and y edges of the next.
+    /// Vertices on the x, y and z edges from the lattice points of this layer, and on the x and y edges of the next
+    /// layer.
     layer: [Vec<u32>; 3],
     next_layer: [Vec<u32>; 2],
 }
@@ -272,7 +273,7 @@ impl<'a, I: Fn(usize) -> bool, S: Fn(usize, usize, usize) -> f64> Cutter<'a, I, 
         self.contour.cells.push(Cell { place, pattern: pattern as u8, edges: numbers, triangles });
     }
 
-    /// The vertex on an edge of a cube, made when it is first met.
+    /// The vertex on an edge of a cube, created at the first visit.
     fn vertex(&mut self, place: [usize; 3], edge: usize, pattern: usize) -> u32 {
         let (axis, corner) = (edge / 4, edge_corner(edge));
         let low = [0, 1, 2].map(|k| place[k] + (corner >> k & 1));
@@ -326,8 +327,8 @@ impl<'a, I: Fn(usize) -> bool, S: Fn(usize, usize, usize) -> f64> Cutter<'a, I, 
     }
 }
 
-/// Triangles of a polygon of `n` corners (at most 12) whose diagonals are all allowed and together as short as
-/// possible (squares of lengths), by dynamic programming over spans; `None` if there is no such triangulation.
+/// Triangulates a polygon of `n` corners (at most 12) with allowed diagonals only, minimizing the sum of their squared
+/// lengths by dynamic programming over spans; `None` if there is no such triangulation.
 fn shortest_triangulation(
     n: usize,
     allowed: impl Fn(usize, usize) -> bool,

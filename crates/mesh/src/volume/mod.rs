@@ -1,8 +1,8 @@
 //! Label volumes and their surfaces.
 //!
-//! A [`LabelVolume`] holds one label per voxel and the affine that maps voxel indices to world millimetres. The
-//! selected labels form a [`VoxelMask`] ([`LabelVolume::mask`]), which [`repair`] can give the topology of a ball and
-//! from which [`voxel_surface()`] or [`smooth_surface()`] extract a closed surface.
+//! A [`LabelVolume`] holds one label per voxel and the affine from voxel indices to world millimeters. The selected
+//! labels form a [`VoxelMask`] ([`LabelVolume::mask`]). [`repair`] can give a mask the topology of a ball, and
+//! [`voxel_surface()`] or [`smooth_surface()`] extract a closed surface from it.
 
 mod adjacency;
 pub mod constrained_surface;
@@ -25,13 +25,13 @@ pub use voxel_surface::voxel_surface;
 use nalgebra::{Matrix4, Point3, Vector3, Vector4};
 use std::collections::BTreeMap;
 
-/// Voxels with a label each, and their positions in world millimetres.
+/// Voxels with one label each, and their positions in world millimeters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LabelVolume {
     dims: [usize; 3],
     labels: Vec<u32>,
     affine: Matrix4<f64>,
-    /// The labels that a value stands for, where structures overlap.
+    /// The set of labels for which a value stands, where structures overlap.
     overlaps: BTreeMap<u32, Vec<u32>>,
 }
 
@@ -52,14 +52,14 @@ pub enum VolumeError {
     /// The affine is not a valid map from voxels to world coordinates.
     #[error("the voxel-to-world affine is {fault}; store a valid one in the file")]
     Affine {
-        /// `not finite`, `singular`, or of which size.
+        /// `not finite`, `singular`, or the implausible size.
         fault: &'static str,
     },
 }
 
 impl LabelVolume {
     /// A volume of `dims` voxels, `labels` with the first index fastest, and `affine` from voxel index (whole numbers
-    /// at voxel centres) to world mm.
+    /// at voxel centers) to world mm.
     ///
     /// # Errors
     /// [`VolumeError`].
@@ -74,7 +74,7 @@ impl LabelVolume {
         Ok(LabelVolume { dims, labels, affine, overlaps: BTreeMap::new() })
     }
 
-    /// The same with values that stand for several labels each: voxels in which structures overlap.
+    /// Adds values that stand for several labels each, in voxels where structures overlap.
     pub fn with_overlaps(self, overlaps: BTreeMap<u32, Vec<u32>>) -> Self {
         LabelVolume { overlaps, ..self }
     }
@@ -94,12 +94,13 @@ impl LabelVolume {
         &self.affine
     }
 
-    /// Distance of neighbouring voxel centres along each axis, mm.
+    /// Distance of neighboring voxel centers along each axis, mm.
     pub fn spacing_mm(&self) -> [f64; 3] {
         spacing_mm(&self.affine)
     }
 
-    /// Every label but 0 that occurs, ascending, with its number of voxels; voxels of several labels count for each. Cost `O(voxels)`.
+    /// Every label except 0 that occurs, ascending, with its number of voxels; a voxel with several labels counts for
+    /// each of them. Cost `O(voxels)`.
     pub fn label_counts(&self) -> BTreeMap<u32, u64> {
         let mut counts = BTreeMap::new();
         // Labels occur in runs, so the map is accessed once per run.
@@ -164,8 +165,8 @@ fn spacing_mm(affine: &Matrix4<f64>) -> [f64; 3] {
     [0, 1, 2].map(|k| affine.fixed_view::<3, 1>(0, k).norm())
 }
 
-/// Plausible voxel sizes of anatomical images. A size outside is a damaged header or a wrong unit, and a filter in
-/// millimetres would span too many voxels.
+/// Plausible voxel sizes of anatomical images, mm. Other sizes indicate a damaged header or a wrong unit, and a filter
+/// in millimeters would span too many voxels.
 const SPACING_MM: std::ops::RangeInclusive<f64> = 1e-4..=1e5;
 
 fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
@@ -175,7 +176,7 @@ fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
     let columns: [Vector3<f64>; 3] = [0, 1, 2].map(|k| affine.fixed_view::<3, 1>(0, k).into_owned());
     let determinant = columns[0].cross(&columns[1]).dot(&columns[2]);
     let product: f64 = columns.iter().map(|c| c.norm()).product();
-    // Sheared axes are valid; axes that are nearly coplanar are a damaged header.
+    // Sheared axes are valid; nearly coplanar axes indicate a damaged header.
     if product.is_nan() || product <= 0.0 || !product.is_finite() || determinant.abs() <= 1e-6 * product {
         return Err(VolumeError::Affine { fault: "singular" });
     }
@@ -185,7 +186,7 @@ fn check_affine(affine: &Matrix4<f64>) -> Result<(), VolumeError> {
     Ok(())
 }
 
-/// A set of voxels in a box whose outermost layer is empty, with the affine of the box.
+/// A set of voxels in a box with an empty outermost layer, and the affine of the box.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VoxelMask {
     dims: [usize; 3],
@@ -204,7 +205,7 @@ impl VoxelMask {
         self.dims
     }
 
-    /// Which voxels belong to the set, first index fastest.
+    /// Membership of each voxel in the set, first index fastest.
     pub fn voxels(&self) -> &[bool] {
         &self.voxels
     }
@@ -248,7 +249,7 @@ impl VoxelMask {
         [index % nx, index / nx % ny, index / (nx * ny)]
     }
 
-    /// Whether a voxel has all its 26 neighbours in the box.
+    /// Whether a voxel has all its 26 neighbors in the box.
     fn is_inner(&self, index: usize) -> bool {
         let place = self.place(index);
         (0..3).all(|k| place[k] > 0 && place[k] + 1 < self.dims[k])

@@ -3,8 +3,8 @@
 //! [`fill`] starts from a set with the topology of a ball (a full box, or one voxel) and changes it towards the given
 //! set one simple point at a time, which preserves the topology. From the box, voxels far from the given set are
 //! removed first; thin membranes across tunnels and around cavities remain. From the deepest voxel, deep voxels are
-//! added first; thin cuts through handles remain. Mixtures, in which small membranes are kept and the rest is cut, are
-//! tried too, and the set that differs least is returned.
+//! added first; thin cuts through handles remain. Mixtures, which keep small membranes and cut the rest, are tried too.
+//! The candidate with the fewest changes is returned.
 
 use super::VoxelMask;
 use super::adjacency::{BettiNumbers, LocalTopology, components, flipped, is_well_composed, neighborhood};
@@ -12,12 +12,12 @@ use super::distance::squared_distance;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// How to treat voxels that touch along an edge or at a corner only.
+/// Treatment of voxels that touch along an edge or at a corner only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Contacts {
-    /// Keep them: sufficient if the set is filtered before a surface is extracted.
+    /// Keeps them: sufficient if the set is filtered before a surface is extracted.
     Allow,
-    /// Separate or connect them, so that the boundary of the set is a 2-manifold.
+    /// Separates or connects them, so that the boundary of the set is a 2-manifold.
     Resolve,
 }
 
@@ -33,7 +33,7 @@ pub struct FillOutcome {
 /// The changes made to fill a set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FillChange {
-    /// Pieces, tunnels and cavities before.
+    /// Pieces, tunnels and cavities of the input.
     pub before: BettiNumbers,
     /// Voxels added.
     pub n_added: usize,
@@ -48,8 +48,8 @@ impl FillChange {
     }
 }
 
-/// The 6-connected piece with the most voxels (the first of equals), the number of pieces and the number of voxels of
-/// the others. Cost `O(voxels)`.
+/// The 6-connected piece with the most voxels (ties go to the first), the number of pieces, and the number of voxels in
+/// the other pieces. Cost `O(voxels)`.
 pub fn largest_component(mask: &VoxelMask) -> (VoxelMask, usize, usize) {
     let (number, sizes) = components(mask, true);
     let mut best = 0;
@@ -68,16 +68,17 @@ pub fn largest_component(mask: &VoxelMask) -> (VoxelMask, usize, usize) {
 pub struct JoinOutcome {
     /// The set.
     pub mask: VoxelMask,
-    /// By how many its 6-connected pieces became fewer.
+    /// Decrease of the number of 6-connected pieces.
     pub n_joined: usize,
     /// Voxels added.
     pub n_added: usize,
 }
 
-/// `mask` with one or two voxels added wherever two 6-connected pieces touch along an edge or at a corner only, as the voxels of
-/// a thin oblique part do. `None` if no pieces touch.
+/// Adds one or two voxels to `mask` wherever two 6-connected pieces touch along an edge or at a corner only, as in a
+/// thin oblique part. `None` if no pieces touch.
 ///
-/// Of the voxels that would join two pieces, those with the most face neighbors in the set are added, the first of equals.
+/// Among the voxels that would join two pieces, those with the most face neighbors in the set are added; ties go to the
+/// first.
 ///
 /// # Cost
 /// `O(voxels)`.
@@ -91,7 +92,7 @@ pub fn join_touching(mask: &VoxelMask) -> Option<JoinOutcome> {
     let (mut n_joined, mut n_added) = (0, 0);
     let strides = mask.strides().map(|s| s as isize);
     let faces = [-strides[2], -strides[1], -strides[0], strides[0], strides[1], strides[2]];
-    // Contacts along edges first: they take one voxel.
+    // Contacts along edges come first: they take one voxel.
     for n_axes in [2, 3] {
         for at in (0..voxels.len()).filter(|&at| mask.voxels[at]) {
             for direction in directions(n_axes) {
@@ -110,7 +111,7 @@ pub fn join_touching(mask: &VoxelMask) -> Option<JoinOutcome> {
                         n_added += 1;
                         piece[k] = piece[at];
                     }
-                    // Whatever the new voxel touches with a face belongs to it.
+                    // Every piece with a face in common with the new voxel belongs to it.
                     for next in faces.map(|step| k.wrapping_add_signed(step)).into_iter().filter(|&next| voxels[next]) {
                         let (a, b) = (root(&mut joined, piece[k]), root(&mut joined, piece[next]));
                         n_joined += usize::from(a != b);
@@ -123,13 +124,13 @@ pub fn join_touching(mask: &VoxelMask) -> Option<JoinOutcome> {
     (n_joined > 0).then(|| JoinOutcome { mask: mask.with_voxels(voxels), n_joined, n_added })
 }
 
-/// Half of the directions in which `n_axes` coordinates change by one: the others are their opposites.
+/// Half of the directions in which `n_axes` coordinates change by one; the others are their opposites.
 fn directions(n_axes: usize) -> impl Iterator<Item = [i8; 3]> {
     let all = (14..27).map(|k: i8| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]);
     all.filter(move |d| d.iter().filter(|c| **c != 0).count() == n_axes)
 }
 
-/// The voxels between `at` and the one that all `steps` together lead to, for each order of steps.
+/// The voxels between `at` and the end of all `steps`, for each order of the steps.
 fn paths(at: usize, steps: &[isize]) -> Vec<Vec<usize>> {
     let to = |at: usize, step: isize| at.wrapping_add_signed(step);
     match *steps {
@@ -151,13 +152,13 @@ fn root(sets: &mut [u32], mut k: u32) -> u32 {
     k
 }
 
-/// `mask` with its tunnels and cavities closed by a small change: one piece with the topology of a ball, 6-connected
-/// foreground and 26-connected background. `mask` should be one piece: others are joined or lost.
+/// Closes the tunnels and cavities of `mask` by a small change: the result is one piece with the topology of a ball,
+/// 6-connected foreground and 26-connected background. `mask` should be one piece; further pieces are joined or lost.
 ///
-/// The smallest change is NP-hard to find; this returns the smallest of a few candidates.
+/// Finding the smallest change is NP-hard; this returns the smallest of a few candidates.
 ///
 /// # Cost
-/// `O(voxels log voxels)`, at most ten times over.
+/// `O(voxels log voxels)`, for each of at most ten candidates.
 pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
     let before = BettiNumbers::of(mask);
     if mask.n_voxels() == 0 || before.is_ball() && (contacts == Contacts::Allow || is_well_composed(mask)) {
@@ -168,7 +169,7 @@ pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
     let mut best = membranes.clone();
     let mut best_change = filler.change(&best);
     for goal in filler.mixtures(&membranes) {
-        // A mixture removes nothing that it has added.
+        // A mixture removes none of the voxels it has added.
         if filler.change(&goal) >= best_change {
             break;
         }
@@ -184,14 +185,14 @@ pub fn fill(mask: &VoxelMask, contacts: Contacts) -> FillOutcome {
     FillOutcome { mask: mask.with_voxels(best), change }
 }
 
-/// Largest number of mixtures tried, by size of the membranes that are kept.
+/// Largest number of mixtures tried, by size of the kept membranes.
 const MAX_MIXTURES: usize = 8;
 
 struct Filler<'a> {
     mask: &'a VoxelMask,
     contacts: Contacts,
     local: LocalTopology,
-    /// Squared distance to the other side of the mask.
+    /// Squared distance of each voxel from the other side of the mask.
     distance: Vec<u32>,
 }
 
@@ -203,12 +204,12 @@ impl<'a> Filler<'a> {
         Filler { mask, contacts, local: LocalTopology::new(), distance }
     }
 
-    /// All voxels but the border of the box.
+    /// All voxels except the border of the box.
     fn box_around(&self) -> Vec<bool> {
         (0..self.mask.voxels.len()).map(|k| self.mask.is_inner(k)).collect()
     }
 
-    /// Only the deepest voxel of the mask, the first of equally deep ones.
+    /// Only the deepest voxel of the mask; ties go to the first.
     fn deepest(&self) -> Vec<bool> {
         let inside = (0..self.distance.len()).filter(|&k| self.mask.voxels[k]);
         let seed = inside.max_by_key(|&k| (self.distance[k], Reverse(k)));
@@ -219,11 +220,12 @@ impl<'a> Filler<'a> {
         self.mask.voxels.iter().zip(voxels).filter(|(a, b)| a != b).count()
     }
 
-    /// The mask with none, the smallest, then also larger ones … of the connected pieces of `membranes − mask` added.
+    /// The mask with a growing selection of the connected pieces of `membranes − mask` added: none, the smallest, then
+    /// also larger ones.
     fn mixtures(&self, membranes: &[bool]) -> Vec<Vec<bool>> {
         let added: Vec<bool> = membranes.iter().zip(&self.mask.voxels).map(|(&m, &v)| m && !v).collect();
         let kept = added.iter().map(|a| !a).collect();
-        // As background of its complement, so that pieces that touch at a corner are connected.
+        // Components of the complement as background, so that pieces that touch at a corner are connected.
         let (number, sizes) = components(&self.mask.with_voxels(kept), false);
         let mut thresholds: Vec<usize> = sizes.clone();
         thresholds.push(0);
@@ -237,7 +239,7 @@ impl<'a> Filler<'a> {
         thresholds.into_iter().map(with).collect()
     }
 
-    /// `from` changed towards `goal`, voxels far from the boundary of the mask first, keeping its topology.
+    /// `from` changed towards `goal`, voxels far from the boundary of the mask first, with its topology preserved.
     fn approach(&self, from: Vec<bool>, goal: &[bool]) -> Vec<bool> {
         let strides = self.mask.strides();
         let mut set = from;

@@ -1,28 +1,30 @@
-//! What the size of voxels leaves unknown about a surface that was made of them, and about its orientation.
+//! The uncertainty that voxel size leaves in a surface made of voxels, and in its orientation.
 //!
-//! A voxel says whether its center is inside, so the boundary lies anywhere between two centers: along a normal `n` its position
-//! has the variance of a point anywhere in a voxel, `Σ (hₐ·n)² / 12` over the three edge vectors `hₐ` of a voxel, and places
-//! about as far apart as a voxel is wide are independent. The area for which one position stands is the voxel's volume divided
-//! by its width along the normal, `|det h| / Σ |hₐ·n|`.
+//! A voxel records whether its center is inside, so the boundary lies anywhere between two centers. Along a normal `n`
+//! its position has the variance of a point anywhere in a voxel, `Σ (hₐ·n)² / 12` over the three edge vectors `hₐ` of a
+//! voxel. Positions about a voxel's width apart are independent. One position represents an area equal to the volume of
+//! a voxel divided by its width along the normal, `|det h| / Σ |hₐ·n|`.
 //!
-//! An orientation is estimated from these positions. A rotation by `ω` and a translation by `t` change the position of a point
-//! `p` along its normal by `ω·(p × n) + t·n`; so the normal equations of fitting a plane to each point (Chen, Medioni 1992) with
-//! these variances give the least covariance that any estimate of `ω` and `t` from these voxels can have.
+//! An orientation is estimated from these positions. A rotation by `ω` and a translation by `t` change the position of
+//! a point `p` along its normal by `ω·(p × n) + t·n`. The normal equations of fitting a plane to each point (Chen,
+//! Medioni 1992) with these variances therefore give the least covariance that any estimate of `ω` and `t` from these
+//! voxels can have.
 
 use crate::SurfaceMesh;
 use nalgebra::{Matrix3, Matrix4, Matrix6, Vector3, Vector6};
 
-/// What the voxels leave unknown about a surface.
+/// Uncertainty of a surface due to voxel size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampling {
     /// Standard deviation of the position of the surface along its normal, root mean square over the area, mm.
     pub noise_mm: f64,
-    /// Standard deviation of the rotation that is known least, rad; infinite if the surface determines no rotation about some axis.
+    /// Standard deviation of the least certain rotation, rad; infinite if the surface does not determine the rotation
+    /// about some axis.
     pub rotation_rad: f64,
 }
 
 impl Sampling {
-    /// For a surface made of voxels with `affine` from voxel index to mm. Cost `O(faces)`.
+    /// The uncertainty of a surface made of voxels with `affine` from voxel index to mm. Cost `O(faces)`.
     pub fn of(mesh: &SurfaceMesh, affine: &Matrix4<f64>) -> Self {
         let edges: [Vector3<f64>; 3] = [0, 1, 2].map(|k| affine.fixed_view::<3, 1>(0, k).into_owned());
         let volume = edges[0].cross(&edges[1]).dot(&edges[2]).abs();
@@ -37,7 +39,7 @@ impl Sampling {
             .collect();
         let area: f64 = triangles.iter().map(|(_, a)| a.norm()).sum();
         let center = triangles.iter().map(|(p, a)| p * a.norm()).sum::<Vector3<f64>>() / area;
-        // In units of the size of the surface, so that rotations and translations are of one order.
+        // In units of the size of the surface, which gives rotations and translations the same order of magnitude.
         let size = area.sqrt();
         let mut information = Matrix6::zeros();
         let mut variances = 0.0;
@@ -60,7 +62,7 @@ fn rotation_rad(information: &Matrix6<f64>, size: f64) -> f64 {
     let block =
         |row: usize, column: usize| -> Matrix3<f64> { information.fixed_view::<3, 3>(row, column).into_owned() };
     let Some(of_translation) = block(3, 3).try_inverse() else { return f64::INFINITY };
-    // What is left for rotations when the translation is unknown too.
+    // The information on rotations when the translation is unknown too.
     let of_rotation = block(0, 0) - block(0, 3) * of_translation * block(3, 0);
     let least = of_rotation.symmetric_eigenvalues().min();
     if least > 0.0 { 1.0 / (least.sqrt() * size) } else { f64::INFINITY }

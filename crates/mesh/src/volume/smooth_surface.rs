@@ -1,6 +1,6 @@
 //! A smooth surface of a voxel set: the 0.5 iso-surface of the Gaussian-filtered mask.
 //!
-//! The filtered field is cut by marching cubes (`cubes`), whose surface is a closed 2-manifold by construction but has
+//! The filtered field is cut by marching cubes (`cubes`). The surface is a closed 2-manifold by construction but has
 //! the topology of the field: the filter may open a tunnel or break a thin bridge. With `repair`, [`smooth_surface`]
 //! moves single lattice values across 0.5 until the surface is a topological sphere, and reports how many.
 
@@ -9,14 +9,14 @@ use super::{VoxelMask, cubes, spacing_mm};
 use crate::topology::analyze;
 use crate::{MeshError, SurfaceMesh};
 
-/// Samples of the Gaussian beyond this many standard deviations are left out; they weigh 6e-5 together.
+/// Extent of the Gaussian kernel, standard deviations; the samples beyond weigh 6e-5 together.
 const TRUNCATION_SIGMAS: f64 = 4.0;
 
-/// The level of the surface, at which a flat boundary between voxels keeps its position.
+/// Level of the surface: at a half, a flat boundary between voxels keeps its position.
 const LEVEL: f64 = 0.5;
 
-/// Distance from the level of lattice values that repair moves across it: far enough to separate the vertices around
-/// them, near enough that the surface hardly moves.
+/// Distance from the level of the lattice values that repair moves across it: far enough to separate the vertices
+/// around them, near enough that the surface hardly moves.
 const REPAIRED_OFFSET: f64 = 0.02;
 
 /// A smooth surface and the changes made to its field.
@@ -26,12 +26,11 @@ pub struct SmoothSurface {
     pub mesh: SurfaceMesh,
     /// Lattice values outside the largest piece that were moved below the level.
     pub n_dropped: usize,
-    /// Lattice values that were moved across the level to close tunnels and cavities and to separate parts that
-    /// touched, if any.
+    /// Lattice values moved across the level, if any, to close tunnels and cavities and to separate parts that touched.
     pub fill: Option<FillChange>,
 }
 
-/// How the filtered field may be changed.
+/// Permitted changes of the filtered field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct FieldRepair {
     /// Keep only the largest piece.
@@ -48,7 +47,7 @@ pub struct FieldRepair {
 /// [`MeshError::Empty`] if nothing of the set is left at the level.
 ///
 /// # Cost
-/// `O(voxels · smoothing / spacing)`; with repairs that of [`fill`].
+/// `O(voxels · smoothing / spacing)`; with repairs, plus the cost of [`fill`].
 pub fn smooth_surface(mask: &VoxelMask, smoothing_mm: f64, repair: FieldRepair) -> Result<SmoothSurface, MeshError> {
     let field = gaussian_filter(mask, smoothing_mm);
     let mesh = cubes::iso_surface(mask, &field, LEVEL)?;
@@ -78,8 +77,8 @@ pub fn smooth_surface(mask: &VoxelMask, smoothing_mm: f64, repair: FieldRepair) 
     Ok(SmoothSurface { mesh, n_dropped, fill: change.filter(|c| c.n_changed() > 0) })
 }
 
-/// `mask` as 0 and 1, filtered; zero outside the box. Nothing outside the set's own box can reach the level, so the
-/// empty border of a mask is padding enough.
+/// `mask` as 0 and 1, filtered; zero outside the box. No point outside the bounding box of the set can reach the level,
+/// so the empty border of a mask is enough padding.
 pub(super) fn gaussian_filter(mask: &VoxelMask, smoothing_mm: f64) -> Vec<f64> {
     let mut field: Vec<f64> = mask.voxels().iter().map(|&v| if v { 1.0 } else { 0.0 }).collect();
     let (dims, strides, spacing) = (mask.dims(), mask.strides(), spacing_mm(mask.affine()));
@@ -110,9 +109,9 @@ pub(super) fn gaussian_filter(mask: &VoxelMask, smoothing_mm: f64) -> Vec<f64> {
     field
 }
 
-/// One half of a normalized Gaussian of `sigma` voxels, the middle first, no longer than the line it is used on.
+/// One half of a normalized Gaussian of `sigma` voxels, starting at the middle, no longer than the filtered line.
 fn gaussian_kernel(sigma: f64, max_len: usize) -> Vec<f64> {
-    // Below a tenth of a voxel the neighbours weigh less than 1e-21.
+    // Below a tenth of a voxel the neighbors weigh less than 1e-21.
     if sigma < 0.1 {
         return vec![1.0];
     }

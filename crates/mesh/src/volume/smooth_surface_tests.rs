@@ -59,7 +59,7 @@ fn an_affine_map_of_the_voxels_maps_the_surface() {
 }
 
 #[test]
-fn the_filter_acts_in_millimetres_on_anisotropic_voxels() {
+fn the_filter_acts_in_millimeters_on_anisotropic_voxels() {
     let affine = Matrix4::new_nonuniform_scaling(&Vector3::new(1.0, 1.0, 2.0));
     let at = |p: Vector3<f64>| Vector3::new(p.x - 12.0, p.y - 12.0, 2.0 * p.z - 12.0);
     let mask = mask_of([25, 25, 13], affine, |p| at(p).norm() <= 10.0);
@@ -76,7 +76,7 @@ fn no_triangle_is_a_sliver() {
     assert!(smallest > 1e-3, "{smallest}");
 }
 
-/// All 256 patterns of one cube, and every pair of neighbouring cubes of random sets, close to 2-manifolds.
+/// All 256 patterns of one cube, and every pair of neighboring cubes of random sets, close to 2-manifolds.
 #[test]
 fn every_sign_pattern_gives_closed_loops() {
     for pattern in 1..256usize {

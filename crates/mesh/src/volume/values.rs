@@ -1,27 +1,27 @@
-//! Whether the values of a volume name structures, or measure something.
+//! Tells whether the values of a volume name structures or measure an intensity.
 //!
-//! A label is a name: the voxels that have it lie together, so that most neighbors of a voxel have the same value, whichever
-//! number that is. An intensity is a measurement: it changes by noise or gradually, so that equal neighbors are rare, except in
-//! saturated regions. [`ValueStatistics`] counts for each value how many of the face-adjacent pairs of foreground voxels that
-//! contain it are equal. Label volumes of two or a thousand labels have nearly only values that keep together; intensity images,
-//! probability maps, distance maps and labels that were interpolated have nearly none.
+//! A label is a name: its voxels lie together, so most neighbors of a voxel have the same value, whatever the number
+//! is. An intensity is a measurement: it changes by noise or gradually, so equal neighbors are rare except in saturated
+//! regions. [`ValueStatistics`] counts, for each value, how many of the face-adjacent pairs of foreground voxels that
+//! contain it are equal. In label volumes, with two labels or a thousand, nearly all values keep together. In intensity
+//! images, probability maps, distance maps and interpolated labels nearly none do.
 
 use super::LabelVolume;
 use std::collections::HashMap;
 
-/// A value keeps together if this share of the ends of its pairs is in pairs of equal values: a cube of 2×2×2 voxels in the
-/// middle of other values has a half, a straight line of many voxels a third.
+/// Share of the ends of its pairs in pairs of equal values from which a value keeps together. A cube of 2×2×2 voxels
+/// among other values has a half, a straight line of many voxels a third.
 const TOGETHER: f64 = 1.0 / 3.0;
 
-/// Fewest values of which anything is concluded: a few labels may all be specks.
+/// Fewest values from which a conclusion is drawn: a few labels may all be specks.
 const FEWEST_VALUES: usize = 8;
 
-/// How the values of a volume are distributed in space.
+/// Spatial distribution of the values of a volume.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ValueStatistics {
     /// Different values other than 0.
     pub n_values: usize,
-    /// Those of them whose voxels keep together.
+    /// Number of values whose voxels keep together.
     pub n_together: usize,
     /// Share of pairs of equal values among all face-adjacent pairs of voxels other than 0; 1 if there are none.
     pub equal_share: f64,
@@ -65,22 +65,22 @@ impl ValueStatistics {
         ValueStatistics { n_values, n_together, equal_share, border_share: border_share(volume) }
     }
 
-    /// Whether the values measure something: there are many, and for most values, or in most places, a neighbor has another
-    /// value.
+    /// Whether the values measure something: there are many of them, and for most values, or in most places, neighbors
+    /// have other values.
     pub fn look_like_an_image(&self) -> bool {
         self.n_values >= FEWEST_VALUES && (2 * self.n_together < self.n_values || self.equal_share < 0.5)
     }
 }
 
-/// Ends of pairs by value: those in pairs of equal values, and all.
+/// Ends of pairs by value: in pairs of equal values, and in total.
 enum Ends {
-    /// By value.
+    /// Indexed by value.
     Dense(Vec<[u32; 2]>),
-    /// Where values are so large that a list of all would take more memory than a volume.
+    /// For values so large that a list of all values would take more memory than a volume.
     Sparse(HashMap<u32, [u32; 2]>),
 }
 
-/// Largest value for which there is a list of all.
+/// Largest value for which [`Ends::Dense`] is used.
 const LARGEST_DENSE: u32 = 1 << 20;
 
 impl Ends {

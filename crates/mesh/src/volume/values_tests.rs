@@ -35,7 +35,7 @@ fn cells(n: usize, seed: u64) -> LabelVolume {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// However many structures there are, and wherever they touch: cells of about 18 voxels and more.
+    /// For any number of structures that touch anywhere: cells of about 18 voxels and more.
     #[test]
     fn cells_are_labels(n in 1..300usize, seed in 0..u64::MAX) {
         let statistics = ValueStatistics::of(&cells(n, seed));

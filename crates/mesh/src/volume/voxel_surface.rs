@@ -3,8 +3,8 @@
 use super::VoxelMask;
 use crate::{FaceArity, MeshError, SurfaceMesh};
 
-/// The faces between `mask` and its complement, in world mm, facing outwards; the four corners of a face lie half a
-/// voxel from its voxel's centre. Faces share a vertex wherever they share a lattice corner, so voxels that touch
+/// The faces between `mask` and its complement, in world mm, facing outwards. The four corners of a face lie half a
+/// voxel from the center of its voxel. Faces share a vertex wherever they share a lattice corner, so voxels that touch
 /// along an edge or at a corner only make a non-manifold edge or vertex (none after [`super::fill`] with
 /// [`super::Contacts::Resolve`]).
 ///

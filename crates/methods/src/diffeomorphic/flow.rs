@@ -4,7 +4,7 @@ use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Points of one chunk: work is divided in the same way on any number of threads.
+/// Points per chunk, fixed so that the work is divided in the same way on any number of threads.
 const CHUNK: usize = 32;
 
 /// `v(x) = Σ_k exp(−‖x − c_k‖²/2w²) m_k`.
@@ -15,15 +15,15 @@ pub struct VelocityField {
     width: f64,
 }
 
-/// Where points are after a step of the flow, and where they were halfway through it.
+/// Positions of points after a step of the flow, and halfway through it.
 pub(super) struct Step {
     pub at: Vec<Point3<f64>>,
-    /// Midpoints of the step that led here; empty at the start.
+    /// Midpoints of the preceding step; empty at the start.
     halfway: Vec<Point3<f64>>,
 }
 
 impl VelocityField {
-    /// The field that is 0 everywhere.
+    /// The zero field.
     pub(super) fn new(control: Vec<Point3<f64>>, width: f64) -> Self {
         let momenta = vec![Vector3::zeros(); control.len()];
         VelocityField { control, momenta, width }
@@ -62,7 +62,7 @@ impl VelocityField {
     /// Cost `O(n · control · n_steps)`.
     ///
     /// # Errors
-    /// [`Cancelled`], asked at every point.
+    /// [`Cancelled`]; the observer is asked at every point.
     pub fn flowed(
         &self,
         points: &[Point3<f64>],
@@ -136,14 +136,14 @@ impl VelocityField {
         path
     }
 
-    /// The gradient with respect to the momenta of a function whose gradient with respect to the points at the end of `path`
-    /// is `gradient`.
+    /// The gradient with respect to the momenta of a function whose gradient with respect to the points at the end of
+    /// `path` is `gradient`.
     pub(super) fn back_through(&self, path: &[Step], mut gradient: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
         let h = 1.0 / (path.len() - 1) as f64;
         let mut of_momenta = vec![Vector3::zeros(); self.momenta.len()];
         for k in (1..path.len()).rev() {
             let (before, halfway) = (&path[k - 1].at, &path[k].halfway);
-            // What changes the points before this step, and the velocities at both of its places.
+            // The change of the points before this step, and the velocities at both of its places.
             let back: Vec<(Vector3<f64>, Vector3<f64>, Vector3<f64>)> = gradient
                 .par_iter()
                 .zip(before)

@@ -5,9 +5,9 @@
 //!
 //! `‖φ(S) − T‖² / ‖T‖² + ρ Σ_kl exp(−‖c_k − c_l‖²/2w²) m_k · m_l`
 //!
-//! by L-BFGS, with the distance of varifolds: surfaces as sums of their faces' centers, areas and tangent planes, so that no
-//! correspondence is needed. Its width falls from coarse to fine. The gradient is exact for the discrete flow, backwards
-//! through its steps.
+//! by L-BFGS, with the varifold distance, which represents surfaces as sums of their faces' centers, areas and tangent
+//! planes and needs no correspondence. Its width falls from coarse to fine. The gradient is exact for the discrete
+//! flow, computed backwards through its steps.
 //!
 //! Sources: Arsigny et al., "A log-Euclidean framework for statistics on diffeomorphisms", MICCAI 2006 (stationary velocity
 //! fields); Ashburner, "A fast diffeomorphic image registration algorithm", NeuroImage 38(1), 2007; Durrleman et al.,
@@ -27,21 +27,21 @@ use homolog_primitives::points::farthest_points;
 use nalgebra::{Matrix3, Point3, Vector3};
 use varifold::Varifold;
 
-/// Settings; lengths in roots of the area.
+/// Settings; lengths in square roots of the area.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiffeomorphicOptions {
     /// Width `w` of the velocity field.
     pub width: f64,
-    /// Most control points.
+    /// Largest number of control points.
     pub n_control: usize,
     /// Widths of the kernel between face centers, coarse to fine.
     pub data_widths: Vec<f64>,
-    /// Weight `ρ` of the energy of the velocity field: with 1e-2 a displacement of a tenth everywhere costs as much as
-    /// varifolds that differ by some thousandths.
+    /// Weight `ρ` of the energy of the velocity field: at 1e-2 a displacement of a tenth everywhere costs as much as a
+    /// varifold difference of some thousandths.
     pub regularization: f64,
     /// Steps of the flow while it is fitted.
     pub n_steps: usize,
-    /// Most steps of L-BFGS for each data width.
+    /// Largest number of L-BFGS steps per data width.
     pub max_iterations: u32,
 }
 
@@ -58,10 +58,10 @@ impl Default for DiffeomorphicOptions {
     }
 }
 
-/// L-BFGS ends when ten steps lower the energy by less than this share.
+/// Relative decrease of the energy over ten steps below which L-BFGS ends.
 const TOLERANCE: f64 = 1e-3;
 
-/// The velocity field whose flow takes `source` onto `target`.
+/// The velocity field whose flow moves `source` onto `target`.
 ///
 /// # Errors
 /// [`MethodError::Singular`] if no energy is finite; [`MethodError::Cancelled`].
@@ -129,7 +129,7 @@ impl Objective for Fit<'_> {
         let varifold = Varifold::of(&end.at, &self.triangles);
         let (of_source, own) = varifold.product_and_gradient(&varifold, self.data_width);
         let (of_both, cross) = varifold.product_and_gradient(&self.target, self.data_width);
-        // The product of a varifold with itself changes through both of its factors.
+        // The product of a varifold with itself depends on its faces through both factors.
         let of_faces: Vec<_> =
             own.iter().zip(&cross).map(|(a, b)| (*a * 2.0 - *b * 2.0) * (1.0 / self.of_target)).collect();
         let of_points = varifold::at_vertices(&of_faces, &end.at, &self.triangles);
@@ -147,7 +147,7 @@ impl Objective for Fit<'_> {
     }
 }
 
-/// Determinants of the Jacobian of the flow at `points`, the smallest along each path: above 0 nothing folds.
+/// Determinants of the Jacobian of the flow at `points`, the smallest along each path: nothing folds if it is above 0.
 ///
 /// Cost `O(n · control · n_steps)`.
 pub fn least_jacobians(field: &VelocityField, points: &[Point3<f64>], n_steps: usize) -> Vec<f64> {

@@ -7,7 +7,7 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::ops::{Mul, Sub};
 
-/// Faces of one chunk.
+/// Faces per chunk.
 const CHUNK: usize = 16;
 
 /// The faces of a surface.
@@ -15,7 +15,7 @@ pub(super) struct Varifold {
     centers: Vec<Point3<f64>>,
     /// Normals times areas.
     areas: Vec<Vector3<f64>>,
-    /// Their lengths.
+    /// Lengths of the area vectors.
     sizes: Vec<f64>,
 }
 
@@ -59,7 +59,7 @@ impl Varifold {
         self.product_and_gradient(other, width).0
     }
 
-    /// `⟨self, other⟩` and its gradient with respect to the faces of `self`, those of `other` held.
+    /// `⟨self, other⟩` and its gradient with respect to the faces of `self`, with `other` fixed.
     pub(super) fn product_and_gradient(&self, other: &Varifold, width: f64) -> (f64, Vec<OfFace>) {
         let inverse = 1.0 / (width * width);
         let found: Vec<(f64, OfFace)> = (0..self.centers.len())
@@ -89,13 +89,14 @@ impl Varifold {
     }
 }
 
-/// The gradient with respect to vertices from that with respect to faces.
+/// Converts the gradient with respect to faces to one with respect to vertices.
 pub(super) fn at_vertices(of_faces: &[OfFace], vertices: &[Point3<f64>], triangles: &[[u32; 3]]) -> Vec<Vector3<f64>> {
     let mut gradient = vec![Vector3::zeros(); vertices.len()];
     for (t, g) in triangles.iter().zip(of_faces) {
         for k in 0..3 {
             let [own, next, last] = [t[k], t[(k + 1) % 3], t[(k + 2) % 3]].map(|v| v as usize);
-            // The area vector is half of (b − a) × (c − a): it changes with a corner by half the opposite edge times it.
+            // The area vector is half of (b − a) × (c − a); its derivative with respect to a corner is half the cross
+            // product with the opposite edge.
             let edge = vertices[last] - vertices[next];
             gradient[own] += g.center / 3.0 + g.area.cross(&edge) / 2.0;
         }

@@ -1,11 +1,11 @@
-//! Loopy belief propagation: messages between variables until they settle, or the budget ends.
+//! Loopy belief propagation: passes messages between variables until they settle or the budget ends.
 //!
 //! Source: Pearl 1988; Kschischang, Frey, Loeliger 2001 (sum-product, max-product); the sparse update over a
 //! truncated pairwise potential follows the thesis, chapter 5.
 //!
-//! [`BeliefPropagation`] owns the messages (`|E→| · n` numbers of 32 bits, or of 16, and a little more when flooding) and
-//! is reused from one clamping round to the next, warm. An iteration is `|E→|` message updates: `O(|E→| n k̄)` with the sparse
-//! update, `O(|E→| n²)` with the full one.
+//! [`BeliefPropagation`] owns the messages (`|E→| · n` numbers of 32 or 16 bits, and slightly more when flooding) and
+//! is reused, warm, between clamping rounds. An iteration is `|E→|` message updates: `O(|E→| n k̄)` with the sparse
+//! update, `O(|E→| n²)` with the full update.
 
 use super::beliefs::{belief_row, belief_spread};
 use super::block_plan::LANES;
@@ -33,7 +33,7 @@ pub struct BeliefPropagation<'a> {
     /// The order of the labels in all rows.
     order: LabelOrder,
     table: PairTable,
-    /// Values of a message row: the labels, rounded up by [`stride`].
+    /// Length of a message row: the number of labels, rounded up by [`stride`].
     stride: usize,
     /// [Unary factors](super::unary_factors) `φ_i(x)`, bias included, row by row, in the order of the labels; 0 beyond them.
     phi: Vec<f32>,
@@ -42,7 +42,7 @@ pub struct BeliefPropagation<'a> {
     engine: Engine,
 }
 
-/// The messages, and what a schedule needs besides.
+/// The messages, and the further state of a schedule.
 enum Engine {
     Flooding(Flooding<f32>),
     HalfFlooding(Flooding<f16>),
@@ -50,12 +50,12 @@ enum Engine {
 }
 
 impl<'a> BeliefPropagation<'a> {
-    /// Flat messages over `model`, sparse update, flooding. Allocates everything that an iteration needs.
+    /// Flat messages over `model`, sparse update, flooding. Allocates the memory of an iteration.
     pub fn new(model: &'a MrfModel, options: BpOptions) -> Self {
         Self::with_method(model, options, BpMethod::default())
     }
 
-    /// Flat messages over `model`, to be updated by `method`.
+    /// Flat messages over `model` that are updated by `method`.
     pub fn with_method(model: &'a MrfModel, options: BpOptions, method: BpMethod) -> Self {
         let graph = &model.variables;
         let stride = stride(model.n_labels());
@@ -86,9 +86,9 @@ impl<'a> BeliefPropagation<'a> {
         this
     }
 
-    /// Makes all messages flat again, so that the next run starts cold.
+    /// Makes all messages flat, so that the next run starts cold.
     pub fn reset(&mut self) {
-        // Beyond the labels a message is at its floor from the first iteration on.
+        // Beyond the labels a message stays at its floor from the first iteration on.
         let mut flat = vec![self.options.floor; self.stride];
         flat[..self.model.n_labels()].fill(1.0);
         match &mut self.engine {
@@ -101,7 +101,7 @@ impl<'a> BeliefPropagation<'a> {
     }
 
     /// Sets the unary potentials to those of the model plus a bias: `add(i, row)` may add to the row of variable `i`.
-    /// Messages stay, so that the next run starts warm.
+    /// Messages are kept, so that the next run starts warm.
     pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         let n = self.model.n_labels();
         let model = self.model;
@@ -121,7 +121,7 @@ impl<'a> BeliefPropagation<'a> {
 
     /// Runs until no message changes by more than the tolerance, or for `max_iterations`.
     ///
-    /// `on_iteration` is called after every iteration, with the energy of the labeling decoded then.
+    /// `on_iteration` is called after every iteration, with the energy of the decoded labeling.
     ///
     /// # Errors
     /// [`Cancelled`] as soon as `observer` asks to stop; the messages are then half-updated.
@@ -149,8 +149,8 @@ impl<'a> BeliefPropagation<'a> {
         }
     }
 
-    /// The belief of `variable` over all labels from the messages as they are, summing to 1: its marginal where
-    /// sum-product is exact. All 0 if every product of messages vanishes. Cost `O(n · degree)`.
+    /// The belief of `variable` over all labels from the present messages, summing to 1: its marginal where sum-product
+    /// is exact. All 0 if every product of messages vanishes. Cost `O(n · degree)`.
     pub fn belief(&self, variable: usize) -> Vec<f32> {
         let n = self.model.n_labels();
         let messages = self.model.variables.row(variable).map(|edge| self.incoming_row(edge));
@@ -177,7 +177,7 @@ impl<'a> BeliefPropagation<'a> {
     /// [`belief_spread`] of every variable over the positions of the labels, mm. Cost `O(|E→| n)`, on all cores.
     ///
     /// # Errors
-    /// [`Cancelled`], asked at every variable.
+    /// [`Cancelled`]; the observer is asked at every variable.
     pub fn spreads(&self, positions: &[Point3<f64>], observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
         let spread = |i: usize| {
             checkpoint_within(observer)?;
@@ -187,8 +187,9 @@ impl<'a> BeliefPropagation<'a> {
     }
 }
 
-/// Values of a row over `n` labels: whole vectors, and an odd number of them. Many rows are read at once, label by label;
-/// if they lay a power of two apart, they would drive each other out of the nearest cache, which took a third more time
+/// Length of a row over `n` labels: an odd number of whole vectors. Many rows are read at once, label by label; rows a
+/// power of two apart would evict each other from the nearest cache, which took a third more time at 3,072 values per
+/// row than at 3,088.
 /// at 3,072 values a row than at 3,088.
 fn stride(n: usize) -> usize {
     (n.div_ceil(LANES) | 1) * LANES

@@ -1,12 +1,12 @@
-//! Beliefs of single variables: their whole row, and how far it spreads over the target.
+//! Beliefs of single variables: the whole row, and its spread over the target.
 
 use nalgebra::{Point3, Vector3};
 
-/// Messages multiplied before the product is scaled to maximum 1 again. Messages are above 10⁻⁴⁵ in 32 bits, so that
-/// four of them stay above the smallest number of 64 bits.
+/// Number of messages multiplied before the product is scaled to maximum 1 again. Messages are above 10⁻⁴⁵ in 32 bits,
+/// so the product of four of them stays above the smallest number of 64 bits.
 const MESSAGES_PER_SCALING: usize = 4;
 
-/// The belief `φ(x) Π m(x)` over the labels, in 64 bits, summing to 1; all 0 where all products vanish.
+/// The belief `φ(x) Π m(x)` over the labels, in 64 bits, summing to 1; all 0 if all products vanish.
 pub(super) fn belief_row(phi: &[f32], messages: impl Iterator<Item: AsRef<[f32]>>) -> Vec<f64> {
     let mut belief: Vec<f64> = phi.iter().map(|&p| f64::from(p)).collect();
     for (at, message) in messages.enumerate() {
@@ -29,16 +29,16 @@ fn divide(values: &mut [f64], by: f64) {
     }
 }
 
-/// Label and value of the largest belief, the lowest label of equal ones.
+/// Label and value of the largest belief; ties go to the lowest label.
 pub(super) fn peak(belief: &[f64]) -> (u32, f64) {
     let label = (0..belief.len()).fold(0, |best, x| if belief[x] > belief[best] { x } else { best });
     (label as u32, belief.get(label).copied().unwrap_or(0.0))
 }
 
-/// Root of the belief-weighted mean squared distance from the belief-weighted mean position, in the unit of
-/// `positions` (mm). 0 for a belief in one label, and for one without weight.
+/// Square root of the belief-weighted mean squared distance from the belief-weighted mean position, in the unit of
+/// `positions` (mm). 0 for a belief in one label, and for a belief without weight.
 ///
-/// `belief`: a weight `≥ 0` for each label, in any scale; `positions`: where the labels lie, as many. Distances are
+/// `belief`: a weight `≥ 0` for each label, in any scale; `positions`: the positions of the labels. Distances are
 /// straight, not along the surface. Cost `O(n)`.
 pub fn belief_spread(belief: &[f32], positions: &[Point3<f64>]) -> f64 {
     let weighted = || belief.iter().map(|&b| f64::from(b)).zip(positions);

@@ -1,18 +1,17 @@
-//! Which outgoing messages are updated together: up to [`BLOCK_LANES`] directed edges side by side.
+//! Groups the outgoing messages that are updated together: up to [`BLOCK_LANES`] directed edges side by side.
 //!
-//! Edges are taken in the order of their variables, so that no lane but those of the last block stays empty. A variable
-//! whose edges do not fit is continued in the next block, where the products of its messages are made again. The plan
-//! also fixes where a message lies in memory: messages of one block are neighbours, so that a block owns one contiguous
-//! piece of the output.
+//! Edges are taken in the order of their variables, so that only lanes of the last block stay empty. A variable whose
+//! edges do not fit continues in the next block, where the products of its messages are computed again. The plan also
+//! fixes the memory layout: the messages of a block are contiguous, so that a block owns one piece of the output.
 
 use homolog_primitives::graph::EdgeGraph;
 
-/// Numbers of 32 bits in the widest vector, 512 bits; rows over the labels are a multiple of it long.
+/// Numbers of 32 bits in the widest vector, 512 bits; row lengths over the labels are multiples of this.
 pub(super) const LANES: usize = 16;
 
-/// Directed edges updated side by side. Their cavity products over all labels stay in the cache of a core while the
-/// messages that are read and written pass through it: 150 KB at 2,300 labels. More would share the work of finding
-/// the neighbours of a label among more messages, but drive each other out of that cache.
+/// Directed edges updated side by side. Their cavity products over all labels (150 KB at 2,300 labels) stay in the
+/// cache of a core while the messages that are read and written pass through it. More lanes would share the search for
+/// the neighbors of a label among more messages, but evict each other from that cache.
 pub(super) const BLOCK_LANES: usize = 16;
 
 /// A run of outgoing edges of one variable within a block.
@@ -20,15 +19,15 @@ pub(super) const BLOCK_LANES: usize = 16;
 pub(super) struct BlockVariable {
     /// The variable `i`.
     pub variable: usize,
-    /// Directed edges `k → i` for all neighbours `k`, in the order of the graph.
+    /// Directed edges `k → i` for all neighbors `k`, in the order of the graph.
     pub incoming: Vec<u32>,
-    /// Which of the neighbours this block sends to: all of them but for the first and the last variable of a block.
+    /// The neighbors to which this block sends: all of them, except for the first and the last variable of a block.
     pub slots: std::ops::Range<usize>,
     /// First lane in the block.
     pub lane: usize,
 }
 
-/// Up to [`BLOCK_LANES`] outgoing messages: lane `l` of block `b` is that of directed edge `b · BLOCK_LANES + l`.
+/// Up to [`BLOCK_LANES`] outgoing messages: lane `l` of block `b` belongs to directed edge `b · BLOCK_LANES + l`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Block {
     /// The variables that send them.

@@ -1,19 +1,20 @@
 //! Cavity products of one block: `h_{i→j}(x) = φ_i(x) Π_{k ∈ N(i)\j} m_{k→i}(x)` for each of its lanes.
 //!
-//! A chunk of labels at a time: the products of a variable's messages from the first on and from the last on, whose
-//! meeting leaves out one; contiguous rows all the way, in registers. Then the chunk is transposed, so that the lanes of one
-//! label lie side by side. The belief, which is the whole product, is decoded on the way.
+//! The labels are processed in chunks. Forward and backward running products of a variable's messages are combined so
+//! that each combination leaves out one message; rows are contiguous and the work stays in registers. The chunk is then
+//! transposed, so that the lanes of one label lie side by side. The belief, which is the whole product, is decoded on
+//! the way.
 
 use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::lanes::{CHAIN_SCALE, CHUNK, ChunkRow, ChunkRows, LINE_BYTES, Lanes};
 use super::message_value::MessageValue;
 use super::vector::{Simd, Vector, WIDTH, dispatch};
 
-/// Neighbours for which the products of a variable are made all at once, in registers.
+/// Number of neighbors up to which all products of a variable are computed at once, in registers.
 const FEW: usize = 8;
 
-/// Rows before and after those of a block, for the products of a variable of [`FEW`] neighbours that the block sends
-/// no message of: written all the same, the loop over the neighbours has no branch.
+/// Rows before and after those of a block, for products that the block does not send, of a variable with [`FEW`]
+/// neighbors. Writing them too keeps the loop over the neighbors free of branches.
 const OVERHANG: usize = FEW - 1;
 
 /// Scratch of the cavity pass.
@@ -23,9 +24,9 @@ pub(super) struct Chains {
     forward: Vec<ChunkRow>,
     /// Product of the last messages.
     backward: ChunkRow,
-    /// Cavity products before they are transposed: [`OVERHANG`] rows, those of the lanes, and as many again.
+    /// Cavity products before they are transposed: [`OVERHANG`] rows, the rows of the lanes, and [`OVERHANG`] rows.
     rows: Box<[ChunkRow; OVERHANG + BLOCK_LANES + OVERHANG]>,
-    /// Of every variable of the block.
+    /// The running peak of every variable of the block.
     beliefs: Vec<RunningPeak>,
 }
 
@@ -39,7 +40,7 @@ impl Chains {
         }
     }
 
-    /// The peaks of the beliefs of the variables of the block that was last computed, in its order.
+    /// The peaks of the beliefs of the variables of the last computed block, in its order.
     pub(super) fn peaks(&self) -> impl Iterator<Item = BeliefPeak> {
         self.beliefs.iter().map(RunningPeak::finish)
     }
@@ -48,31 +49,30 @@ impl Chains {
 /// The largest belief of a variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct BeliefPeak {
-    /// The label of the largest belief, the lowest of equal ones.
+    /// The label of the largest belief; ties go to the lowest label.
     pub label: u32,
-    /// That belief, in an arbitrary scale.
+    /// The largest belief, in an arbitrary scale.
     pub peak: f32,
     /// Sum of the beliefs over all labels, in the same scale.
     pub sum: f32,
 }
 
-/// The cavity products of every lane over all labels. Lanes that the block leaves empty have numbers without a meaning.
+/// The cavity products of every lane over all labels. Empty lanes hold arbitrary numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct CavityTotals {
-    /// Their maxima.
+    /// Maximum of each lane.
     pub largest: Lanes,
-    /// Their sums, label after label; 0 if they were not asked for.
+    /// Sum of each lane, label after label; 0 if sums were not requested.
     pub sum: Lanes,
 }
 
 dispatch! {
-    /// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals, sums only
-    /// if `scratch` says so with its second part.
+    /// Writes the cavity products of all lanes of a block to `cavity`, label by label, and returns their totals; sums
+    /// only if the second part of `scratch` requests them.
     ///
-    /// `rows` has the labels of a row, negated, and −∞ beyond, and the unary factors of every variable of the block;
-    /// `messages` has the incoming rows of all of them, one variable after the other. All rows are as long as `cavity`, a
-    /// multiple of [`WIDTH`], and beyond the labels the factors are 0.
-    /// Lanes that the block leaves empty hold numbers without a meaning.
+    /// `rows` has the labels of a row, negated, padded with −∞, and the unary factors of every variable of the block.
+    /// `messages` has the incoming rows of all variables, one variable after the other. All rows are as long as
+    /// `cavity`, a multiple of [`WIDTH`], and the factors are 0 in the padding. Empty lanes hold arbitrary numbers.
     pub(super) fn cavity_products<M: MessageValue>(
         rows: (&[f32], &[&[f32]]),
         messages: &[&[M]],
@@ -122,7 +122,7 @@ fn products<S: Simd, M: MessageValue>(
     totals
 }
 
-/// `transposed[x][l] = rows[l][x]` for the labels that `transposed` has; adds them to the totals, to the sums if `SUMS`.
+/// `transposed[x][l] = rows[l][x]` for the labels of `transposed`; also accumulates the totals, with sums if `SUMS`.
 #[inline(always)]
 fn transpose_chunk<S: Simd, const SUMS: bool>(
     simd: S,
@@ -158,10 +158,10 @@ fn transpose_chunk<S: Simd, const SUMS: bool>(
     }
 }
 
-/// The products of one variable of `D` neighbours, at most [`FEW`], over one chunk of labels, from label `start` on, into
-/// the rows from its lane on. Products of neighbours that the block sends nothing to go to the rows before and after,
-/// which no lane owns, since such a variable is the first or the last of the block, or are overwritten by the next
-/// variable. The variable is number `at` of its block.
+/// Computes the products of variable number `at` of its block, with `D` neighbors, at most [`FEW`], over one chunk of
+/// labels from label `start` on, into the rows from its lane on. Products for neighbors to which the block sends
+/// nothing go to the rows before and after. No lane owns those rows if the variable is the first or the last of the
+/// block; otherwise the next variable overwrites them.
 #[inline(always)]
 fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
     simd: S,
@@ -201,7 +201,7 @@ fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
     peak.store(&mut chains.beliefs[at]);
 }
 
-/// The same for any number of neighbours, and for those to which a block sends.
+/// The same for any number of neighbors, restricted to those to which the block sends.
 #[inline(always)]
 fn multiply_many<S: Simd, M: MessageValue>(
     simd: S,
@@ -246,11 +246,11 @@ fn multiply_many<S: Simd, M: MessageValue>(
     }
 }
 
-/// Peak of a belief while its labels go by, [`WIDTH`] at a time.
+/// Running peak of a belief, [`WIDTH`] labels at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct RunningPeak {
     peaks: [f32; WIDTH],
-    /// The label of each of them, negated.
+    /// The label of each of these peaks, negated.
     labels: [f32; WIDTH],
     sums: [f32; WIDTH],
 }
@@ -271,7 +271,7 @@ impl RunningPeak {
     }
 }
 
-/// The same, in registers.
+/// Running peak in registers.
 #[derive(Clone, Copy)]
 struct Peak<V> {
     peaks: V,
@@ -292,7 +292,7 @@ impl<V: Vector> Peak<V> {
         self.sums.store(&mut to.sums);
     }
 
-    /// Takes the beliefs of some labels, which are negated: the larger is the lower.
+    /// Takes the beliefs of some labels. Labels are negated, so the larger number is the lower label.
     #[inline(always)]
     fn add(&mut self, beliefs: V, labels: V) {
         let of_equal = labels.max(self.labels);
@@ -309,8 +309,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Also of the first and the last variable of a block, which it sends some messages of only, and in either kind of
-        /// loop.
+        /// Also for the first and the last variable of a block, which sends only some of their messages, and in both
+        /// kinds of loop.
         #[test]
         fn cavity_products_leave_out_one_message_and_peaks_none(
             degrees in prop::collection::vec(1usize..12, 1..9),
@@ -334,7 +334,7 @@ mod tests {
             let phi = rows(variables.len());
             let mut cavity = vec![Lanes::splat(0.0); stride];
             let mut chains = Chains::new();
-            // In an order of their own, beyond which one is none.
+            // Labels in reverse order; the last place has no label.
             let n = stride - 1;
             let labels: Vec<f32> = (0..n).rev().map(|x| -(x as f32)).chain([f32::NEG_INFINITY]).collect();
             let phi: Vec<Vec<f32>> = phi.into_iter().map(|row| [&row[..n], &[0.0]].concat()).collect();

@@ -1,14 +1,14 @@
-//! Whether a run converged, converges slowly or oscillates, from its series of message changes and labelings.
+//! Classifies a run from its series of message changes and labelings: converged, slow or oscillating.
 
 /// State of a run when it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ConvergenceStatus {
     /// No message changed by more than the tolerance.
     Converged,
-    /// Neither settled nor seen to repeat itself: more iterations or more damping may help.
+    /// Neither settled nor repeating: more iterations or more damping may help.
     Slow,
-    /// The labelings repeat with this period while the messages do not settle: more iterations do not help, damping
-    /// or the residual schedule may.
+    /// The labelings repeat with this period while the messages do not settle. More iterations do not help; damping or
+    /// the residual schedule may.
     Oscillating {
         /// Iterations after which the labelings return, at least 2.
         period: u32,
@@ -20,18 +20,18 @@ pub enum ConvergenceStatus {
 pub struct Convergence {
     /// State at the end.
     pub status: ConvergenceStatus,
-    /// Factor by which the largest message change shrank from one iteration to the next, a geometric mean over the
-    /// last iterations (at most 16); below 1 while a run converges. `None` before the second iteration.
+    /// Factor by which the largest message change shrank per iteration, a geometric mean over the last iterations (at
+    /// most 16); below 1 while a run converges. `None` before the second iteration.
     pub residual_rate: Option<f64>,
 }
 
-/// Longest period looked for.
+/// Longest period that is detected, iterations.
 const LONGEST_PERIOD: usize = 32;
-/// Periods that have to be seen in full: twice may be chance, the third time is a pattern.
+/// Number of full periods required: two may be chance, three are a pattern.
 const PERIODS_SEEN: usize = 3;
-/// A run does not settle if its largest message change shrinks by less than a hundredth in a period.
+/// Ratio of largest message changes one period apart above which a run does not settle.
 const SETTLING: f32 = 0.99;
-/// Iterations on either side of the comparison that gives the rate.
+/// Iterations on either side of the comparison that yields the rate.
 const RATE_HALF: usize = 8;
 
 /// Largest message change and labeling of every iteration.
@@ -48,7 +48,7 @@ impl History {
         self.fingerprints.push(fingerprint(labeling));
     }
 
-    /// What the series says about a run that `settled` or not. Cost `O(LONGEST_PERIOD²)`.
+    /// Classifies the series of a run that `settled` or not. Cost `O(LONGEST_PERIOD²)`.
     pub(super) fn convergence(&self, settled: bool) -> Convergence {
         let status = match self.period() {
             _ if settled => ConvergenceStatus::Converged,
@@ -65,7 +65,7 @@ impl History {
         }
         let (early, late) = self.deltas[self.deltas.len() - 2 * half..].split_at(half);
         let (early, late) = (largest(early), largest(late));
-        // A message that does not change any more stays so.
+        // A message that has stopped changing stays constant.
         Some(if early > 0.0 { f64::from(late / early).powf(1.0 / half as f64) } else { 0.0 })
     }
 

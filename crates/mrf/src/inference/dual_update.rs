@@ -1,7 +1,7 @@
-//! The two steps of dual ascent, on whole numbers: a variable shares its energy out, an edge passes it on.
+//! The two steps of dual ascent, on whole numbers: a variable shares out its energy, and an edge passes it on.
 //!
-//! Sums stay within 30 bits by the choice of the grid ([`super::fixed_point`]), so that wrapping arithmetic never
-//! wraps; it is used because a check in every addition would keep the loops from being vectors.
+//! The choice of the grid keeps sums within 30 bits ([`super::fixed_point`]), so wrapping arithmetic never wraps. It is
+//! used because overflow checks would prevent vectorization.
 
 use super::block_plan::LANES;
 use super::fixed_point::Grid;
@@ -11,7 +11,7 @@ use multiversion::multiversion;
 /// One whole number for each lane.
 type Units = [i32; LANES];
 
-/// Neighbouring labels with `βd'/ℓ'`, in grid units, in rows by label.
+/// Neighboring labels with `βd'/ℓ'`, in grid units, in rows by label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct UnitTable {
     offsets: Vec<u32>,
@@ -47,15 +47,15 @@ pub(super) fn add(sum: &mut [i32], row: &[i32]) {
     }
 }
 
-/// Smallest value and where it stands first.
+/// The smallest value and its first position.
 pub(super) fn minimum(values: &[i32]) -> (usize, i32) {
     let lowest = values.iter().copied().min().unwrap_or(0);
     (values.iter().position(|&v| v == lowest).unwrap_or(0), lowest)
 }
 
-/// Turns the reparametrised unary potential of a variable into the share of each of its edges: what it is above its
-/// minimum, divided by `parts` and rounded down. At the minimum the share is 0, and all shares together are nowhere
-/// more than there was to share, so that the minimum stays where and what it is.
+/// Turns the reparametrized unary potential of a variable into the share of each of its edges: the excess over the
+/// minimum, divided by `parts` and rounded down. At the minimum the share is 0, and all shares together never exceed
+/// the excess, so the minimum keeps its place and value.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn shares(potential: &mut [i32], lowest: i32, parts: usize) {
@@ -92,9 +92,9 @@ impl PassScratch {
 }
 
 /// Up to [`LANES`] messages `m(y) = min( T + min h, min_{x ∈ N_r(y)} θ(x, y) + h(x) )` with `h = −against`, where
-/// `against` are the messages of the opposite direction. Each is written into its row of `outgoing` less its minimum;
-/// the minima come back. `lengths` are the scaled lengths of the edges, `uniform` says that they and all distances
-/// count nothing (`β = 0`).
+/// `against` are the messages of the opposite direction. Each message, minus its minimum, is written into its row of
+/// `outgoing`; the minima are returned. `lengths` are the scaled lengths of the edges. `uniform` states that lengths
+/// and distances have no weight (`β = 0`).
 pub(super) fn pass_on(
     table: &UnitTable,
     against: &[&[i32]],

@@ -1,21 +1,22 @@
 //! The energy on a grid of whole numbers, never above the energy itself.
 //!
-//! The lower bound adds and subtracts messages millions of times. On whole numbers of 32 bits that is exact, as
-//! fast as on floating point of the same width, and finer: the grid has up to 30 bits where a float has 24. What
-//! rounding there is happens once, when potentials are put on the grid, and only downwards.
+//! The lower bound adds and subtracts messages millions of times. Whole numbers of 32 bits make this exact, as fast as
+//! floating point of the same width, and finer: the grid has up to 30 bits, a float has 24. Rounding happens only once,
+//! when potentials are put on the grid, and only downwards.
 
 use crate::MrfModel;
 
-/// Largest magnitude of any sum of messages, in grid units; half of what 32 bits hold.
+/// Largest magnitude of any sum of messages, in grid units; half of the range of 32 bits.
 const LARGEST: f64 = (1u32 << 30) as f64;
-/// A truncation that is huge or infinite would coarsen the grid. It is lowered to what the best labeling of one label
-/// for all variables costs above the sum of the smallest unary potentials: that labeling breaks no neighbourhood, so
-/// that no labeling that breaks one is then the minimum, and the minimum stays where it was. But it is not lowered
-/// below the first of these multiples of the largest other potential, nor kept above the second, where models of many
-/// variables are; a lower truncation only lowers the energy, and so the bound.
+/// Limits of a lowered truncation, as multiples of the largest other potential. A huge or infinite truncation would
+/// coarsen the grid. It is therefore lowered to the cost, above the sum of the smallest unary potentials, of the best
+/// labeling with one label for all variables. That labeling breaks no neighborhood, so no labeling that breaks one is
+/// then the minimum, and the minimum stays in place. The truncation is not lowered below the first multiple, nor kept
+/// above the second, which matters for models with many variables. A lower truncation only lowers the energy, and hence
+/// the bound.
 const HARD_TRUNCATION: [f64; 2] = [4.0, 256.0];
 
-/// How energies become whole numbers: `k` stands for `k · unit`.
+/// The grid of whole numbers: `k` stands for the energy `k · unit`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Grid {
     /// A power of two, so that scaling by it does not round.
@@ -24,9 +25,9 @@ pub(super) struct Grid {
     pub truncation: i32,
     /// Smallest unary potential of every variable.
     minima: Vec<f64>,
-    /// Units that the pairwise potentials may have been rounded up by, all together.
+    /// Total by which the pairwise potentials may have been rounded up, units.
     pairwise_excess: i64,
-    /// What the sums of 64 bits, here and in [`MrfModel::energy`], may be wrong by.
+    /// Bound on the rounding error of the sums of 64 bits, here and in [`MrfModel::energy`].
     sum_error: f64,
 }
 
@@ -44,14 +45,14 @@ impl Grid {
         let range = rows.iter().map(|(low, high)| high - low).fold(0.0, f64::max);
         let pairwise = model.pairwise;
         let scaled = pairwise.beta / pairwise.length_scale;
-        // Neither part of |βℓ/ℓ' − βd'/ℓ'| is above this, and so is not their difference.
+        // Neither part of |βℓ/ℓ' − βd'/ℓ'| exceeds this value, and neither does their difference.
         let longest = bounds(&model.lengths).1.max(0.0);
         let farthest = (0..model.n_labels()).map(|x| bounds(model.labels.distances(x)).1).fold(0.0, f64::max);
         let near = scaled * longest.max(farthest);
         let hard = HARD_TRUNCATION.map(|times| times * range.max(near));
         let truncation = pairwise.truncation.min(cost_of_one_label(model, &rows).clamp(hard[0], hard[1]));
-        // A variable gathers its unary potential and the messages of all neighbours, each at most the truncation;
-        // a message is made of that, a potential and one message more.
+        // A variable gathers its unary potential and the messages of all neighbors, each at most the truncation; a
+        // message is computed from that sum, a potential and one more message.
         let largest = range + near + (degree + 2) as f64 * truncation;
         let unit = if largest > 0.0 { (largest / LARGEST).log2().ceil().exp2() } else { 1.0 };
         let magnitude: f64 = rows.iter().map(|(low, high)| low.abs().max(high.abs())).sum();
@@ -62,12 +63,12 @@ impl Grid {
             minima: rows.iter().map(|row| row.0).collect(),
             // Both parts of the difference are rounded to the nearest unit, half a unit each at most.
             pairwise_excess: if pairwise.beta == 0.0 { 0 } else { n_edges as i64 },
-            // Terms times the sum of their magnitudes times the rounding of one addition.
+            // Number of terms times the sum of their magnitudes times the rounding of one addition.
             sum_error: f64::EPSILON * n_terms * (magnitude + n_edges as f64 * truncation.max(near)),
         }
     }
 
-    /// The unary potentials of a row above the smallest of them, rounded down, into `row`.
+    /// Writes the unary potentials of a row, relative to the smallest and rounded down, into `row`.
     pub(super) fn unary(&self, variable: usize, potentials: &[f32], row: &mut Vec<i32>) {
         let low = self.minima[variable];
         row.clear();
@@ -79,14 +80,14 @@ impl Grid {
         (model.pairwise.beta * f64::from(length) / model.pairwise.length_scale / self.unit).round() as i32
     }
 
-    /// The lower bound that stands for `units` above the sum of the smallest unary potentials: less what rounding
-    /// may have put on top of the energy.
+    /// The lower bound for `units` above the sum of the smallest unary potentials, minus what rounding may have added
+    /// to the energy.
     pub(super) fn bound(&self, units: i64) -> f64 {
         let base: f64 = self.minima.iter().sum();
         base + (units - self.pairwise_excess) as f64 * self.unit - self.sum_error
     }
 
-    /// The bound that needs no message: every unary potential at its smallest, no pairwise potential below 0.
+    /// The bound without messages: every unary potential at its smallest, no pairwise potential below 0.
     pub(super) fn trivial_bound(&self) -> f64 {
         self.minima.iter().sum::<f64>() - self.sum_error
     }

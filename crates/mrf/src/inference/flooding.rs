@@ -1,19 +1,20 @@
-//! The flooding schedule: every message from the messages of the iteration before, block by block on all cores.
+//! The flooding schedule: every message is computed from the messages of the previous iteration, block by block on all
+//! cores.
 //!
-//! # What bounds it
-//! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, half of that in half precision, and does
-//! `|E→| · n` times as many operations as one value of a message needs: three products of messages, and with
-//! max-product and `β = 0` one maximum for each member of `N_1`, `r` times over, else a few operations for each member
-//! of `N_r`. The longer of two times is a lower bound for an iteration: the bytes over the rate at which memory is
-//! changed in place, and the operations over the rate of the vector units; `crates/laboratory/benches/kernel.rs`
-//! measures all in one run. In addition there are the transposes between rows and lanes, and scaling, damping and
-//! comparing, seven operations a value; in half precision also the conversions: a value is converted three times when
-//! it is read, and twice when it is written.
+//! # Limits of speed
+//! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, or half of that in half precision. It
+//! performs `|E→| · n` times the operations for one value of a message: three products of messages, plus, with
+//! max-product and `β = 0`, one maximum for each member of `N_1`, `r` times over, or else a few operations for each
+//! member of `N_r`. A lower bound for the time of an iteration is the longer of two times: the bytes over the rate at
+//! which memory is changed in place, and the operations over the rate of the vector units.
+//! `crates/laboratory/benches/kernel.rs` measures all of these in one run. There are also the transposes between rows
+//! and lanes, and scaling, damping and comparing, seven operations per value. Half precision adds conversions: three
+//! when a value is read, and two when it is written.
 //!
-//! That bound is far below what is reached without a distance term, and no wait for memory is why: with all messages in
-//! the caches an iteration takes four fifths of its time. Two vectors can be loaded and one stored in a cycle, while each
-//! value is loaded twice for its products, once for each of two transposes, once for each member of `N_1` and once to be
-//! compared, and stored four times.
+//! Without a distance term the measured time is far above that bound, and waiting for memory is not the reason: with
+//! all messages in the caches an iteration takes four fifths of its time. Two vectors can be loaded and one stored per
+//! cycle. Each value is loaded twice for its products, once for each of two transposes, once for each member of `N_1`
+//! and once for the comparison, and is stored four times.
 
 use super::block_plan::{BLOCK_LANES, Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};
@@ -28,18 +29,18 @@ use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
-/// Blocks, and their messages.
+/// Blocks and their messages.
 pub(super) struct Flooding<M> {
     plan: BlockPlan,
     batches: Batches,
     /// Near and far factors of the pairwise potential, for each lane of each block.
     factors: Vec<(Lanes, Lanes)>,
     messages: MessageStore<M>,
-    /// One for each thread.
+    /// One scratch per thread.
     scratch: Vec<Mutex<Scratch>>,
 }
 
-/// What one pass over the blocks finds.
+/// Result of one pass over the blocks.
 struct Pass {
     decoded: Vec<Decoded>,
     /// Largest change of a message.
@@ -65,12 +66,12 @@ impl<M: MessageValue> Flooding<M> {
         self.messages.message(edge)
     }
 
-    /// Makes every message the same.
+    /// Sets every message to `message`.
     pub(super) fn fill(&mut self, message: &[f32]) {
         self.messages.fill(message);
     }
 
-    /// Runs as [`super::BeliefPropagation::run`] does.
+    /// Runs like [`super::BeliefPropagation::run`].
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -87,8 +88,8 @@ impl<M: MessageValue> Flooding<M> {
         while self.scratch.len() < rayon::current_num_threads() {
             self.scratch.push(Mutex::new(Scratch::new(kernel.stride)));
         }
-        // Beliefs come out of the pass that makes the next messages, so the labeling of iteration `k` is known in
-        // pass `k + 1`; the last pass only decodes.
+        // The pass that computes the next messages also computes the beliefs, so the labeling of iteration `k` is known
+        // in pass `k + 1`; the last pass only decodes.
         for pass in 0..=max_iterations {
             let last = pass == max_iterations || delta <= tolerance;
             let Pass { decoded, delta: new_delta } = self.pass(kernel, !last, observer)?;
@@ -105,7 +106,8 @@ impl<M: MessageValue> Flooding<M> {
         Ok(progress.finish(if settled { BpStop::Converged } else { BpStop::MaxIterations }))
     }
 
-    /// One pass over all blocks: decodes the beliefs of the present messages and, with `update`, makes the next ones.
+    /// One pass over all blocks: decodes the beliefs of the present messages and, with `update`, computes the next
+    /// ones.
     fn pass(&mut self, kernel: Kernel<'_>, update: bool, observer: &dyn Observer) -> Result<Pass, Cancelled> {
         let Flooding { plan, batches, factors, messages, scratch } = self;
         let mut open = messages.open();
@@ -122,7 +124,7 @@ impl<M: MessageValue> Flooding<M> {
                 .into_par_iter()
                 .zip(outputs)
                 .map(|(block, output)| {
-                    // No other thread has this index, so the lock is free; what a panic left is overwritten.
+                    // No other thread has this index, so the lock is free; leftovers of a panic are overwritten.
                     let own = &scratch[rayon::current_thread_index().unwrap_or(0) % scratch.len()];
                     let mut scratch = own.lock().unwrap_or_else(PoisonError::into_inner);
                     make_block(kernel, &open, (block, &plan.blocks[block]), &factors[block], &mut scratch, output)
@@ -141,7 +143,7 @@ impl<M: MessageValue> Flooding<M> {
         }
         open.close();
         checkpoint(observer)?;
-        // A variable without neighbours sends no message and is in no block: its belief is its unary factor.
+        // A variable without neighbors sends no message and is in no block: its belief is its unary factor.
         for i in (0..kernel.model.n_variables()).filter(|&i| kernel.model.variables.row(i).is_empty()) {
             found.decoded.push(decode_alone(kernel, i));
         }
@@ -156,7 +158,7 @@ fn decode_alone(kernel: Kernel<'_>, variable: usize) -> Decoded {
     Decoded { variable: variable as u32, label: label as u32, confidence: f64::from(phi[label] / sum) }
 }
 
-/// Decodes the variables of block `number` and, with an `output`, writes its next messages there. Returns also the
+/// Decodes the variables of block `number` and, given an `output`, writes its next messages there. Also returns the
 /// largest change of a message.
 fn make_block<M: MessageValue>(
     kernel: Kernel<'_>,
@@ -167,7 +169,7 @@ fn make_block<M: MessageValue>(
     output: Option<&mut [M]>,
 ) -> (Vec<Decoded>, f32) {
     let totals = kernel.cavity(|edge| messages.message(edge), &block.variables, scratch);
-    // A variable in several blocks is decoded by the one that holds its first edges.
+    // A variable in several blocks is decoded in the block of its first edges.
     let decoded = kernel.decode(&block.variables, scratch).filter(|(of, _)| of.slots.start == 0).map(|(_, d)| d);
     let decoded = decoded.collect();
     let Some(output) = output else { return (decoded, 0.0) };

@@ -1,8 +1,8 @@
 //! The full message update: every label pair of one block of up to [`BLOCK_LANES`] outgoing messages.
 //!
 //! No table of potentials is stored. A dense row holds the two factors of the potential of one label against all
-//! others, and 0 for those outside its neighbourhood, which the lower limit `ε` turns into the truncation; it takes
-//! `O(n)` memory per thread. Each pass over the cavity products updates two labels, as many as fit in 16 registers.
+//! others, and 0 outside its neighborhood, which the lower limit `ε` turns into the truncation; it takes `O(n)` memory
+//! per thread. Each pass over the cavity products updates two labels, as many as fit in 16 registers.
 
 use super::block_plan::BLOCK_LANES;
 use super::lanes::Lanes;
@@ -48,7 +48,7 @@ pub(super) fn full_sum_update(
     full_update(table, dense, updated, |dense| sum_rows(dense, cavity, potential))
 }
 
-/// Fills the dense rows of [`ROWS`] labels at a time and computes their messages with `rows`.
+/// Fills the dense rows for [`ROWS`] labels at a time and computes their messages with `rows`.
 fn full_update(
     table: &PairTable,
     dense: &mut Vec<DenseFactors>,
@@ -110,7 +110,7 @@ fn reduced_rows(
     potential: FullPotential<'_>,
     reduce: impl Fn(f32, f32) -> f32 + Copy,
 ) -> [Lanes; ROWS] {
-    // One variable for each label: the compiler does not vectorize an array of them.
+    // A separate variable for each label: the compiler does not vectorize an array of them.
     let [mut first, mut second] = [Lanes::splat(0.0); ROWS];
     for (factors, h) in dense.iter().zip(cavity) {
         add_term(&mut first, potential, factors[0], h, reduce);

@@ -1,4 +1,4 @@
-//! What both schedules do with one block of lanes: from cavity products to messages.
+//! Operations on one block of lanes that both schedules share: from cavity products to messages.
 
 use super::block_plan::BlockVariable;
 use super::cavity::{CavityTotals, cavity_products};
@@ -15,23 +15,23 @@ use super::sparse_update::{
 };
 use crate::MrfModel;
 
-/// Everything that a message update reads besides the messages.
+/// Inputs of a message update besides the messages.
 #[derive(Clone, Copy)]
 pub(super) struct Kernel<'a> {
     pub model: &'a MrfModel,
     pub options: BpOptions,
     pub method: BpMethod,
     pub order: &'a LabelOrder,
-    /// In that order, like all rows over the labels.
+    /// In the order of `order`, like all rows over the labels.
     pub table: &'a PairTable,
-    /// Values of a row of `phi` and of a message.
+    /// Length of a row of `phi` and of a message.
     pub stride: usize,
     pub phi: &'a [f32],
 }
 
 impl Kernel<'_> {
-    /// Cavity products of the lanes of `variables` into `scratch`; returns their totals. `message` is the row of an
-    /// incoming message.
+    /// Computes the cavity products of the lanes of `variables` into `scratch`; returns their totals. `message` returns
+    /// the row of an incoming message.
     pub(super) fn cavity<'m, M: MessageValue>(
         &self,
         message: impl Fn(u32) -> &'m [M],
@@ -66,8 +66,9 @@ impl Kernel<'_> {
         })
     }
 
-    /// Messages of all lanes from the cavity products of `scratch`, unscaled, into its `updated`; returns the largest
-    /// value of each lane. `(near, far)` are the edge factors and `totals` those of the cavity products.
+    /// Computes the messages of all lanes from the cavity products of `scratch`, unscaled, into its `updated`; returns
+    /// the largest value of each lane. `(near, far)` are the edge factors and `totals` the totals of the cavity
+    /// products.
     pub(super) fn update(&self, (near, far): (&Lanes, &Lanes), totals: &CavityTotals, scratch: &mut Scratch) -> Lanes {
         let epsilon = self.model.pairwise.epsilon();
         let rest = Lanes(totals.sum.map(|sum| sum * epsilon));
@@ -90,7 +91,8 @@ impl Kernel<'_> {
         }
     }
 
-    /// The next messages of all lanes from the cavity products of `scratch`, into `rows`; returns the largest change.
+    /// Writes the next messages of all lanes, from the cavity products of `scratch`, into `rows`; returns the largest
+    /// change.
     pub(super) fn write<M: MessageValue>(
         &self,
         factors: (&Lanes, &Lanes),
@@ -103,7 +105,7 @@ impl Kernel<'_> {
         let starts = (0..self.stride).step_by(CHUNK);
         let sparse_max = (self.method.update, self.options.product) == (Update::Sparse, Product::Max);
         if sparse_max && self.model.pairwise.beta == 0.0 {
-            // The scale is known before the messages are: what is updated is written while the nearest cache has it.
+            // The scale is known before the messages: updated values are written while they are in the nearest cache.
             max_steps_but_last(self.table, scratch);
             let floor = self.least(totals);
             for (chunk, start) in starts.enumerate() {
@@ -121,7 +123,7 @@ impl Kernel<'_> {
         change
     }
 
-    /// What max-product messages are not below, before scaling.
+    /// Lower bound of max-product messages before scaling.
     fn least(&self, totals: &CavityTotals) -> Lanes {
         let epsilon = self.model.pairwise.epsilon();
         Lanes(totals.largest.map(|top| top * epsilon))

@@ -1,27 +1,27 @@
-//! An order of the labels in which neighbours are near.
+//! An order of the labels in which neighboring labels are close.
 //!
-//! An update reads, label after label, what the neighbours of a label have. In whatever order a surface comes, some of them
-//! lie far away in memory. Sorted by their distance from an end of the surface all lie within a ring or two, which the
-//! nearest cache still holds: on a hippocampus of 2,300 vertices and `r = 2` an iteration takes 0.94 of the time, on one of
-//! 700 vertices 0.85.
+//! An update reads, label after label, the values at the neighbors of a label. In the order of an arbitrary surface
+//! some of them lie far away in memory. Sorted by their distance from an end of the surface, all lie within a ring or
+//! two, which the nearest cache still holds: an iteration takes 0.94 of the time on a hippocampus of 2,300 vertices
+//! with `r = 2`, and 0.85 on one of 700 vertices.
 
 use super::sweep_order::from_far_ends;
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
 
-/// A place for every label.
+/// A permutation of the labels.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LabelOrder {
-    /// The label of every place.
+    /// The label at every place.
     labels: Vec<u32>,
     /// The place of every label.
     places: Vec<u32>,
-    /// The label of every place, negated, padded with −∞ to the number of values of a row. Single precision
-    /// distinguishes labels up to 2²⁴, far more than there can be.
+    /// The label at every place, negated, padded with −∞ to the length of a row. Single precision distinguishes labels
+    /// up to 2²⁴, far more than can occur.
     negated: Vec<f32>,
 }
 
 impl LabelOrder {
-    /// The labels by breadth-first search, component after component, each from a far end, for rows of `stride` values.
+    /// The labels by breadth-first search, component after component, each from a far end, for rows of length `stride`.
     /// Cost `O(edges)`.
     pub(super) fn new(graph: &EdgeGraph, stride: usize) -> Self {
         let (labels, _) = from_far_ends(graph);
@@ -39,17 +39,17 @@ impl LabelOrder {
         &self.labels
     }
 
-    /// The labels of a row in order, negated, and −∞ beyond.
+    /// The labels of a row in order, negated, padded with −∞.
     pub(super) fn negated(&self) -> &[f32] {
         &self.negated
     }
 
-    /// What stands in a row of places, by label.
+    /// The values of a row of places, by label.
     pub(super) fn by_label<T: Copy>(&self, row: &[T]) -> Vec<T> {
         self.places.iter().map(|&place| row[place as usize]).collect()
     }
 
-    /// `labels` with places for labels. Cost `O(n k̄ log k̄)`.
+    /// `labels` expressed in places. Cost `O(n k̄ log k̄)`.
     pub(super) fn reorder(&self, labels: &LabelNeighborhoods) -> LabelNeighborhoods {
         let graph = labels.graph();
         let places = |x: usize, y: u32| [self.places[x], self.places[y as usize]];
@@ -111,7 +111,7 @@ mod tests {
                 edges.push([i, i + width]);
             }
         }
-        // Labels in an order that has nothing to do with their places.
+        // Labels in an order unrelated to their places.
         let n = width * length;
         let named: Vec<[u32; 2]> = edges.iter().map(|e| e.map(|i| i * 101 % n)).collect();
         let order = LabelOrder::new(&EdgeGraph::from_edges(n as usize, &named), n as usize);

@@ -1,8 +1,8 @@
-//! Neighbourhoods of labels as rows of one length, for loops without a branch that depends on the label.
+//! Neighborhoods of labels as rows of equal length, for loops without a branch that depends on the label.
 //!
-//! Where every row has a length of its own, the processor guesses at the end of most of them and guesses wrong, which
-//! costs as much as half a row. Here all rows are equally long: shorter ones are filled up with a label that adds
-//! nothing, and what longer ones have more is listed apart, chunk by chunk.
+//! With rows of different lengths the processor mispredicts the end of most of them, which costs as much as half a row.
+//! Here all rows have the same width: shorter rows are padded with a label that adds nothing, and the excess of longer
+//! rows is listed separately, chunk by chunk.
 
 use super::lanes::CHUNK;
 
@@ -10,18 +10,18 @@ use super::lanes::CHUNK;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LabelRows {
     width: usize,
-    /// Row after row.
+    /// Members, row after row.
     members: Vec<u32>,
-    /// One more than the largest of them.
+    /// One more than the largest member.
     limit: usize,
-    /// What rows have beyond the width: their label, and the member.
+    /// Excess of rows beyond the width: label and member.
     more: Vec<[u32; 2]>,
-    /// Where the part of `more` of each chunk of labels starts, and the end of the last.
+    /// Start of each chunk's part of `more`, followed by the end of the last.
     more_starts: Vec<u32>,
 }
 
 impl LabelRows {
-    /// The rows of labels `0..n`; `filler(y)` fills up that of `y`. Cost `O(members)`.
+    /// The rows of labels `0..n`; `filler(y)` pads the row of `y`. Cost `O(members)`.
     pub(super) fn new<'a>(n: usize, row: impl Fn(usize) -> &'a [u32], filler: impl Fn(usize) -> u32) -> Self {
         let width = best_width((0..n).map(|y| row(y).len()));
         let mut rows = LabelRows {
@@ -49,7 +49,7 @@ impl LabelRows {
         self.limit
     }
 
-    /// Members of a row that stand in [`LabelRows::members`].
+    /// Number of members of a row in [`LabelRows::members`].
     pub(super) fn width(&self) -> usize {
         self.width
     }
@@ -60,7 +60,7 @@ impl LabelRows {
         &self.members[(chunk * CHUNK * self.width).min(end)..end]
     }
 
-    /// What rows of the chunk have beyond the width: label and member.
+    /// Excess of the rows of the chunk beyond the width: label and member.
     pub(super) fn more(&self, chunk: usize) -> &[[u32; 2]] {
         match self.more_starts.get(chunk..chunk + 2) {
             Some(&[start, end]) => &self.more[start as usize..end as usize],
@@ -69,8 +69,8 @@ impl LabelRows {
     }
 }
 
-/// The width of lowest cost: a place in a row costs one, a member listed apart two, since what was made of its row so
-/// far has to be read and written again.
+/// The width of lowest cost: a place in a row costs one, a separately listed member costs two, because the partial
+/// result of its row has to be read and written again.
 fn best_width(lengths: impl Iterator<Item = usize>) -> usize {
     let mut count = Vec::new();
     for length in lengths {

@@ -1,17 +1,17 @@
-//! Numbers side by side, aligned so that no vector of them straddles two lines of the cache.
+//! Numbers side by side, aligned so that no vector of them straddles two cache lines.
 
 use super::block_plan::BLOCK_LANES;
 use std::ops::{Deref, DerefMut};
 
-/// Labels treated together: with all lanes of a block they fill 4 KiB, part of the fastest cache.
+/// Labels processed together: with all lanes of a block they fill 4 KiB, part of the fastest cache.
 pub(super) const CHUNK: usize = 64;
 
-/// Products of messages are carried times this in each of two chains, from the first message on and from the last on, so
-/// that a dozen messages at the floor do not underflow 32 bits; a power of two, so that no rounding depends on it. The
-/// product of both chains stays below 2¹²⁸ by the choice of the [unary factors](super::unary_factors).
+/// Scale of the products of messages in each of two chains, from the first message on and from the last on: a dozen
+/// messages at the floor do not underflow 32 bits. A power of two, so that no rounding depends on it. The choice of the
+/// [unary factors](super::unary_factors) keeps the product of both chains below 2¹²⁸.
 pub(super) const CHAIN_SCALE: f32 = (1u64 << 60) as f32;
 
-/// Bytes of a line of the cache.
+/// Size of a cache line, bytes.
 pub(super) const LINE_BYTES: usize = 64;
 
 /// One number for each lane of a block.

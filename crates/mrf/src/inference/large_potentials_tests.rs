@@ -1,4 +1,4 @@
-//! Potentials of any size: nothing panics, every number is finite, and small models are still minimised.
+//! Potentials of any size: nothing panics, every number is finite, and small models are still minimized.
 //!
 //! `exp(−θ)` underflows single precision from `θ = 104` on, while callers allow unary potentials of a million and more.
 
@@ -51,7 +51,7 @@ fn all_methods() -> Vec<BpMethod> {
     methods
 }
 
-/// What every run over `model` must keep to.
+/// Properties of every run over `model`.
 fn check_outcome(model: &MrfModel, outcome: &BpOutcome) -> Result<(), TestCaseError> {
     check_labeling(model, &outcome.labeling, outcome.energy)?;
     prop_assert!(outcome.confidence.iter().all(|c| (0.0..=1.0 + 1e-6).contains(c)), "{:?}", outcome.confidence);
@@ -130,7 +130,7 @@ proptest! {
     }
 
     #[test]
-    fn the_other_minimisers_stay_finite(model in any_model(), seed: u64) {
+    fn the_other_minimizers_stay_finite(model in any_model(), seed: u64) {
         let run = SearchRun { sweeps: 8, seed, start: None, target_energy: None };
         let energy_of = |labeling: &[u32]| model.energy(labeling).total();
         for sampler in [Sampler::Gibbs, Sampler::Metropolis] {
@@ -154,13 +154,13 @@ proptest! {
         prop_assert!(found.bound.is_finite() && found.bound <= energy_of(&found.labeling));
     }
 
-    /// On a tree max-product finds the minimum and sum-product the marginals, whatever every row has in common.
+    /// On a tree max-product finds the minimum and sum-product the marginals, for any offset common to a row.
     #[test]
-    fn trees_are_minimised_as_by_exhaustive_search(
+    fn trees_are_minimized_as_by_exhaustive_search(
         parents in prop::collection::vec(0usize..100, 3),
         entropy in prop::collection::vec(0.0f64..1.0, 97),
         beta in prop_oneof![Just(0.0), 0.0f64..3.0],
-        // Three neighbours together do not reach the 87 from which on a label counts as impossible.
+        // Three neighbors together do not reach 87, above which a label counts as impossible.
         truncation in prop_oneof![Just(8.0f64), Just(20.0)],
         unary in any_rows(4, 5),
     ) {
@@ -191,7 +191,7 @@ proptest! {
     }
 }
 
-/// The labeling of lowest energy, and how much higher the next one is.
+/// The labeling of lowest energy, and the gap to the next one.
 fn unique_minimum(model: &MrfModel) -> (Vec<u32>, f64) {
     let mut best = (Vec::new(), f64::INFINITY);
     let mut next = f64::INFINITY;
@@ -207,7 +207,7 @@ fn unique_minimum(model: &MrfModel) -> (Vec<u32>, f64) {
     (best.0, next - best.1)
 }
 
-/// A potential that all labels of a variable share changes no answer, not even in the last bit where it is a small one.
+/// A potential shared by all labels of a variable changes no answer, and no bit of it if the potential is small.
 #[test]
 fn a_row_far_above_zero_is_decoded_as_if_it_were_not() {
     let edges: Vec<[u32; 2]> = (0..29).map(|k| [k, k + 1]).chain((0..20).map(|k| [k, k + 10])).collect();
@@ -228,7 +228,7 @@ fn a_row_far_above_zero_is_decoded_as_if_it_were_not() {
     }
 }
 
-/// With 600 labels that are all as good, the sum of the cavity products is 600 times the largest of them.
+/// With 600 equally good labels, the sum of the cavity products is 600 times the largest of them.
 #[test]
 fn sums_over_many_labels_do_not_overflow() {
     let edges = [[0, 1], [1, 2], [2, 3]];
@@ -241,7 +241,7 @@ fn sums_over_many_labels_do_not_overflow() {
     for update in [Update::Sparse, Update::Full] {
         let method = BpMethod { update, ..BpMethod::default() };
         let mut bp = BeliefPropagation::with_method(&model, options, method);
-        // Information reaches a neighbour in one iteration: labels 6 and 8 are near 7, all others are not.
+        // Information reaches a neighbor in one iteration: labels 6 and 8 are near 7, all others are not.
         bp.run(1, &Silent, |_| ()).unwrap();
         let message = bp.incoming_message(model.variables.row(0).start);
         let far = message[300];

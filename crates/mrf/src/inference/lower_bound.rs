@@ -1,18 +1,18 @@
-//! A lower bound on the energy of every labeling, and so on how far a labeling is from the lowest energy.
+//! A lower bound on the energy of every labeling, which also bounds the distance of a labeling from the lowest energy.
 //!
-//! Messages move energy between unary and pairwise potentials without changing the energy of any labeling; whatever
-//! they are, the sum of the minima of all potentials is a bound. Each sweep visits the variables in one order and
-//! back: a variable gathers what its edges hold, shares it between the edges ahead, and each edge passes on all that
-//! it can. The bound never falls and settles at a fixed point (weak tree agreement), which on trees is the minimum
-//! itself, and otherwise near the optimum of the linear relaxation.
+//! Messages move energy between unary and pairwise potentials without changing the energy of any labeling; for any
+//! messages, the sum of the minima of all potentials is a bound. Each sweep visits the variables in one order and back.
+//! A variable gathers the energy its edges hold and shares it between the edges ahead, and each edge passes on all it
+//! can. The bound never falls and settles at a fixed point (weak tree agreement). On trees this is the minimum itself,
+//! otherwise it is near the optimum of the linear relaxation.
 //!
-//! Source: tree-reweighted message passing, sequential: Kolmogorov, IEEE PAMI 28(10), 2006, written with the shares
-//! in the messages as in Kolmogorov, IEEE PAMI 37(5), 2015. The sparse message over a truncated potential is that of
-//! belief propagation in the domain of energies. Whole numbers instead of floating point make the arithmetic exact
+//! Source: tree-reweighted message passing, sequential: Kolmogorov, IEEE PAMI 28(10), 2006, written with the shares in
+//! the messages as in Kolmogorov, IEEE PAMI 37(5), 2015. The sparse message over a truncated potential is the one of
+//! belief propagation, in the domain of energies. Whole numbers instead of floating point make the arithmetic exact
 //! ([`super::fixed_point`]): no rounding in a sweep can lift the bound above the energy.
 //!
-//! Pairwise potentials must be `≥ 0` and unary potentials finite. A truncation of infinity is supported: the bound
-//! is then that of a large finite one, which is lower or equal.
+//! Pairwise potentials must be `≥ 0` and unary potentials finite. An infinite truncation is supported: it is replaced
+//! by a large finite one, whose bound is lower or equal.
 
 use super::block_plan::LANES;
 use super::dual_update::{PassScratch, UnitTable, add, minimum, pass_on, shares, subtract};
@@ -22,22 +22,22 @@ use crate::{Energy, Labeling, MrfModel};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 
-/// Blocks of messages made side by side: enough for many cores, little scratch.
+/// Blocks of messages computed side by side: enough for many cores, with little scratch.
 const BLOCKS_AT_ONCE: usize = 16;
 
-/// When a [`DualBound::run`] ends before its budget does.
+/// Conditions that end a [`DualBound::run`] before its budget.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DualOptions {
-    /// A run ends when the energy of the best labeling is above the bound by no more than this share of its magnitude.
+    /// Largest gap between the best energy and the bound, as a share of the energy's magnitude, at which a run ends.
     pub gap_tolerance: f64,
-    /// A run ends when an iteration lifts the bound by no more than this share of its magnitude.
+    /// Largest rise of the bound in an iteration, as a share of its magnitude, at which a run ends.
     pub progress_tolerance: f64,
 }
 
 /// Why a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DualStop {
-    /// The best labeling is within the gap tolerance of the bound: it has the lowest energy, to that tolerance.
+    /// The best labeling is within the gap tolerance of the bound: its energy is the lowest, to that tolerance.
     Optimal,
     /// The bound hardly rises any more; a gap remains.
     Stalled,
@@ -50,9 +50,9 @@ pub enum DualStop {
 pub struct DualIteration {
     /// From 1.
     pub iteration: u32,
-    /// The bound so far; never less than before.
+    /// The best bound so far; never falls.
     pub bound: f64,
-    /// Energy of the best labeling decoded so far; never more than before.
+    /// Energy of the best labeling decoded so far; never rises.
     pub energy: Energy,
 }
 
@@ -86,13 +86,13 @@ pub struct DualBound<'a> {
     /// Message `i → j`, one value a label of `j`, for every directed edge.
     messages: Vec<Vec<i32>>,
     scratch: Vec<PassScratch>,
-    /// Labels as the sweep decodes them.
+    /// Labels decoded by the sweep.
     decoded: Labeling,
     best: (Labeling, Energy),
     bound: f64,
 }
 
-/// The way a sweep goes through the order.
+/// Direction in which a sweep traverses the order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Direction {
     Forward,
@@ -104,15 +104,15 @@ struct Visit {
     variable: usize,
     /// Its edges to variables that are visited later.
     ahead: Vec<usize>,
-    /// The messages that came along them, from which the shares are subtracted; taken out of the table meanwhile.
+    /// The incoming messages of these edges, from which the shares are subtracted; taken out of the table meanwhile.
     incoming: Vec<Vec<i32>>,
-    /// Minimum of the reparametrised unary potential.
+    /// Minimum of the reparametrized unary potential.
     minimum: i32,
     label: u32,
 }
 
 impl<'a> DualBound<'a> {
-    /// No messages yet; the bound is the sum of the smallest unary potentials.
+    /// Starts without messages; the bound is the sum of the smallest unary potentials.
     pub fn new(model: &'a MrfModel, options: DualOptions) -> Self {
         let grid = Grid::new(model);
         let labeling = model.unary_minimum();
@@ -133,19 +133,20 @@ impl<'a> DualBound<'a> {
         }
     }
 
-    /// The best bound so far: not above the energy of any labeling, at any time.
+    /// The best bound so far; at any time, no labeling has a lower energy.
     pub fn bound(&self) -> f64 {
         self.bound
     }
 
-    /// Sweeps until the bound meets the best labeling or hardly rises, or for `max_iterations`; a further run goes on
-    /// from there.
+    /// Sweeps until the bound meets the best labeling or hardly rises, or for `max_iterations`. Further runs continue
+    /// from the present state.
     ///
-    /// `on_iteration` is called after every iteration, with the best labeling so far. Cost of an iteration: `O(|E→| n k̄)`, on all cores, the same bits on
-    /// any number of them.
+    /// `on_iteration` is called after every iteration, with the best labeling so far. Cost of an iteration: `O(|E→| n
+    /// k̄)`, on all cores, with the same bits on any number of cores.
     ///
     /// # Errors
-    /// [`Cancelled`] as soon as `observer` asks to stop. The bound so far holds; a further run starts from no messages.
+    /// [`Cancelled`] as soon as `observer` asks to stop. The bound so far stays valid; a further run starts without
+    /// messages.
     pub fn run(
         &mut self,
         max_iterations: u32,
@@ -183,7 +184,7 @@ impl<'a> DualBound<'a> {
         Ok(DualOutcome { bound: self.bound, labeling, energy, iterations, stop })
     }
 
-    /// Every variable once. The sum of the minima of all potentials after it, in grid units.
+    /// Visits every variable once. Returns the sum of the minima of all potentials, in grid units.
     fn sweep(&mut self, direction: Direction, observer: &dyn Observer) -> Result<i64, Cancelled> {
         let mut units = 0;
         let n_steps = self.order.steps.len();
@@ -208,7 +209,7 @@ impl<'a> DualBound<'a> {
         Ok(units)
     }
 
-    /// The variables of a step share out what they have, side by side: they are no neighbours.
+    /// The variables of a step share out their energy side by side: no two are neighbors.
     fn visit_step(&mut self, step: usize, direction: Direction) -> Vec<Visit> {
         let graph = &self.model.variables;
         let visits: Vec<Visit> = self.order.steps[step]
@@ -235,8 +236,8 @@ impl<'a> DualBound<'a> {
         for row in &visit.incoming {
             add(&mut potential, row);
         }
-        // A label is decoded given those of the variables visited before, whose potentials replace messages.
-        // The truncation is left out of them: it is the same for all labels.
+        // A label is decoded given the labels of the variables visited before, whose potentials replace messages. The
+        // truncation is left out of them because it is the same for all labels.
         let mut given = potential.clone();
         let behind: Vec<usize> = graph.row(visit.variable).filter(|edge| !visit.ahead.contains(edge)).collect();
         for &edge in &behind {
@@ -255,7 +256,7 @@ impl<'a> DualBound<'a> {
         visit
     }
 
-    /// Every edge of `edges` passes on all it can. The sum of the minima that remain in them, in grid units.
+    /// Lets every edge of `edges` pass on all it can. Returns the sum of the minima that remain in them, in grid units.
     fn pass_on(&mut self, edges: &[usize]) -> i64 {
         let mut units = 0;
         let n = self.model.n_labels();

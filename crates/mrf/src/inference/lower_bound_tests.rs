@@ -8,7 +8,7 @@ use homolog_primitives::observe::{Cancelled, Observer, Silent};
 use proptest::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Runs to the end of the budget, whatever is reached before.
+/// Runs to the end of the budget, without stopping earlier.
 const TO_THE_END: DualOptions = DualOptions { gap_tolerance: -1.0, progress_tolerance: -1.0 };
 
 fn iterate(model: &MrfModel, iterations: u32) -> (DualOutcome, Vec<DualIteration>) {

@@ -1,9 +1,9 @@
-//! The messages of the flooding schedule: one copy, and a few blocks more.
+//! The messages of the flooding schedule: one copy plus a few blocks.
 //!
 //! Flooding computes every message from those of the previous iteration, so an old message must be kept until all its
 //! readers are done: the variable that receives it, and its own block, which damps with it. Blocks are processed in
-//! batches, in an order in which neighbours are near, and an updated block is written over one whose last reader is
-//! done. The position of a block thus changes from iteration to iteration; nothing is copied, and blocks are written to
+//! batches, in an order in which neighbors are near, and an updated block is written over one whose last reader is
+//! done. The position of a block therefore changes between iterations. Nothing is copied, and blocks are written to
 //! memory that has just been read and is still in the cache.
 
 use super::block_plan::{BLOCK_LANES, BlockPlan};
@@ -11,15 +11,16 @@ use super::lanes::LINE_BYTES;
 use super::message_value::MessageValue;
 use std::ops::Range;
 
-/// Blocks between two releases: enough to keep many cores busy, few against the thousands of a surface.
+/// Blocks per batch, after which old blocks are released: enough to keep many cores busy, few compared with the
+/// thousands of a surface.
 const BATCH_BLOCKS: usize = 24;
 
-/// Which blocks are updated together, and which old ones are needed no more after each batch.
+/// Blocks that are updated together, and old blocks that are released after each batch.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Batches {
-    /// In order: the blocks of the batch, and those whose last reader is in it.
+    /// In order: the blocks of the batch, and the blocks whose last reader is in it.
     pub batches: Vec<(Range<usize>, Vec<usize>)>,
-    /// Blocks that must have room besides the old ones.
+    /// Number of blocks stored in addition to the old ones.
     pub n_spare: usize,
 }
 
@@ -52,22 +53,22 @@ impl Batches {
 /// All messages, block by block.
 pub(super) struct MessageStore<M> {
     values: Vec<M>,
-    /// Where the first piece begins: where a line of the cache does.
+    /// Start of the first piece, aligned to a cache line.
     start: usize,
     stride: usize,
     n_edges: usize,
-    /// Which piece of `values` a block lies in.
+    /// The piece of `values` in which each block lies.
     piece_of_block: Vec<usize>,
-    /// Pieces not in use; the one freed last is used first.
+    /// Unused pieces; the last one freed is used first.
     spare: Vec<usize>,
 }
 
 impl<M: MessageValue> MessageStore<M> {
-    /// Room for the messages of `plan`, rows of `stride` values, and `n_spare` blocks more. All 0.
+    /// Room for the messages of `plan`, in rows of length `stride`, and for `n_spare` further blocks. All 0.
     pub(super) fn new(plan: &BlockPlan, stride: usize, n_spare: usize) -> Self {
         let n = plan.blocks.len();
-        // A vector that straddles two lines of the cache takes twice as long; rows are whole vectors, so that it is
-        // enough to align the first one. Not a matter of results: 0 would do.
+        // A vector that straddles two cache lines takes twice as long. Rows are whole vectors, so aligning the first
+        // one is enough. Results do not depend on it: 0 would do.
         let line = LINE_BYTES / size_of::<M>();
         let values = vec![M::ZERO; (n + n_spare) * BLOCK_LANES * stride + line];
         let start = values.as_ptr().align_offset(LINE_BYTES).min(line);
@@ -87,7 +88,7 @@ impl<M: MessageValue> MessageStore<M> {
         &self.values[start..start + self.stride]
     }
 
-    /// Makes every message the same.
+    /// Sets every message to `message`.
     pub(super) fn fill(&mut self, message: &[f32]) {
         let message: Vec<M> = message.iter().map(|&value| M::narrow(value.max(M::LEAST))).collect();
         for edge in 0..self.n_edges {
@@ -114,21 +115,21 @@ impl<M: MessageValue> MessageStore<M> {
     }
 }
 
-/// The messages while some are read and others written.
+/// The messages during an iteration, while some are read and others written.
 pub(super) struct OpenStore<'a, M> {
-    /// Empty where lent out.
+    /// Pieces of memory; empty while lent out.
     pieces: Vec<&'a mut [M]>,
-    /// Where the block of the next iteration lies, once it is made.
+    /// The piece of each block of the next iteration, once it is computed.
     new_piece: Vec<usize>,
     stride: usize,
     piece_of_block: &'a mut [usize],
     spare: &'a mut Vec<usize>,
 }
 
-/// A piece lent out to be written.
+/// A piece that is lent out for writing.
 pub(super) struct Lent<'a, M> {
     piece: usize,
-    /// Row after row of the block.
+    /// Values of the block, row after row.
     pub values: &'a mut [M],
 }
 
@@ -144,20 +145,20 @@ impl<'a, M> OpenStore<'a, M> {
         &*self.pieces[self.piece_of_block[block]]
     }
 
-    /// Spare pieces for `count` blocks, or for as many as there are.
+    /// Lends spare pieces for `count` blocks, or as many as are available.
     pub(super) fn lend(&mut self, count: usize) -> Vec<Lent<'a, M>> {
         let first = self.spare.len().saturating_sub(count);
         let lent = self.spare.split_off(first).into_iter().rev();
         lent.map(|piece| Lent { piece, values: std::mem::take(&mut self.pieces[piece]) }).collect()
     }
 
-    /// Takes back what was lent: from the next iteration on it is `block`.
+    /// Takes back a lent piece: from the next iteration on it is `block`.
     pub(super) fn give_back(&mut self, block: usize, lent: Lent<'a, M>) {
         self.new_piece[block] = lent.piece;
         self.pieces[lent.piece] = lent.values;
     }
 
-    /// Replaces the old messages of `block`, which are read no more, by the new ones; their piece becomes spare.
+    /// Replaces the old messages of `block`, which are no longer read, by the new ones; their piece becomes spare.
     pub(super) fn release(&mut self, block: usize) {
         let new = std::mem::replace(&mut self.new_piece[block], usize::MAX);
         if new != usize::MAX {
@@ -165,7 +166,7 @@ impl<'a, M> OpenStore<'a, M> {
         }
     }
 
-    /// Releases whatever is made but not released, as after an iteration that was cut short.
+    /// Releases all blocks that are computed but not released, as after an interrupted iteration.
     pub(super) fn close(mut self) {
         for block in 0..self.new_piece.len() {
             self.release(block);
@@ -180,8 +181,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Every block is written with its number times the iteration; readers meanwhile must find the number
-        /// of the iteration before.
+        /// Every block is written with its number times the iteration; meanwhile readers must find the number of the
+        /// previous iteration.
         #[test]
         fn old_messages_last_until_their_last_reader_is_done(
             edges in prop::collection::btree_set((0u32..400, 1u32..9), 1..900),

@@ -1,14 +1,14 @@
-//! In which numbers messages are stored. Whatever they are, they are computed in 32 bits.
+//! Storage formats of messages. In every format, messages are computed in 32 bits.
 //!
-//! A message has maximum 1, and small numbers of it weigh as much as large ones, since it enters products. In half
-//! precision, binary16 of IEEE 754, a number from 2⁻¹⁴ (6.1e-5) to 1 is stored to a relative `2⁻¹¹` (4.9e-4), smaller
-//! ones to `2⁻²⁵` (3.0e-8) absolute: the potential that a message stands for is off by at most 5e-4, and at a floor of
-//! 1e-5 by at most 3e-3. On a tree, where a belief is made of each message towards its variable once, it is off by the sum
-//! of that over those messages. Where there are cycles no such bound holds, and runs that do not settle may part; how far
-//! they do on surfaces has to be measured.
+//! A message has maximum 1, and its small values count as much as its large ones, since it enters products. Half
+//! precision (binary16 of IEEE 754) stores a number from 2⁻¹⁴ (6.1e-5) to 1 to a relative `2⁻¹¹` (4.9e-4), and smaller
+//! ones to `2⁻²⁵` (3.0e-8) absolute. The potential that a message represents is off by at most 5e-4, or at most 3e-3 at
+//! a floor of 1e-5. On a tree each message enters a belief once, and the error of the belief is the sum over its
+//! messages. With cycles no such bound holds, and runs that do not settle may diverge from each other; their difference
+//! on surfaces has to be measured.
 //!
-//! A value rounded to 0 would rule out a label whatever the other messages are, so that the floor of messages is not
-//! below the smallest number there is, [`MessageValue::LEAST`].
+//! A value rounded to 0 would rule out a label regardless of the other messages, so the floor of messages is at least
+//! the smallest positive number, [`MessageValue::LEAST`].
 
 use super::vector::{Simd, Vector, WIDTH};
 use half::f16;
@@ -19,16 +19,16 @@ use std::borrow::Cow;
 pub(super) trait MessageValue: Copy + Send + Sync + 'static {
     /// 0.
     const ZERO: Self;
-    /// Smallest value that a message may have: what keeps it from being rounded to 0.
+    /// Smallest value of a message that is not rounded to 0.
     const LEAST: f32;
-    /// From memory, at any address; exact.
+    /// Loads from memory, at any address; exact.
     fn load<S: Simd>(simd: S, from: &[Self; WIDTH]) -> S::Vector;
-    /// To memory, at any address, each number to the nearest that there is, of two equally near ones to the even one.
-    /// Returns what a load gives back.
+    /// Stores to memory, at any address, rounding to the nearest number, ties to even. Returns the values that a load
+    /// would give back.
     fn store<V: Vector>(values: V, to: &mut [Self; WIDTH]) -> V;
-    /// Rounded to the nearest number, ties to even.
+    /// Rounds to the nearest number, ties to even.
     fn narrow(value: f32) -> Self;
-    /// All of a row in 32 bits; exact.
+    /// Converts a row to 32 bits; exact.
     fn widen(row: &[Self]) -> Cow<'_, [f32]>;
 }
 
@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn values_from_the_smallest_on_are_not_stored_as_zero() {
         assert_eq!(f16::LEAST, 2.0f32.powi(-24));
-        // What a floor loses to rounding when it is damped.
+        // The floor survives rounding when it is damped.
         assert_eq!(f16::narrow(f16::LEAST * 0.999).to_f32(), f16::LEAST);
         assert_eq!(f16::narrow(1.0).to_f32(), 1.0);
     }

@@ -1,14 +1,14 @@
-//! From updated messages to the next ones: scaled to maximum 1, floored, transposed back into rows, damped.
+//! Turns updated messages into the next ones: scaled to maximum 1, floored, transposed back into rows, damped.
 
 use super::block_plan::BLOCK_LANES;
 use super::lanes::{CHUNK, LINE_BYTES, Lanes};
 use super::message_value::MessageValue;
 use super::vector::{Simd, Vector, WIDTH, dispatch};
 
-/// How an updated message becomes the new one.
+/// Parameters that turn an updated message into the new one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Finish {
-    /// Smallest value of a message, if what it is stored in can tell it from 0.
+    /// Smallest value of a message, if its storage format distinguishes it from 0.
     pub floor: f32,
     /// Share of the old message that is kept.
     pub damping: f32,
@@ -16,16 +16,16 @@ pub(super) struct Finish {
 
 /// The rows of one block while its messages are written.
 pub(super) struct BlockRows<'a, M> {
-    /// The messages before, row after row; as many as `new` has.
+    /// The previous messages, row after row; as many as `new` has.
     pub old: &'a [M],
-    /// Where the next ones go.
+    /// Destination of the next messages.
     pub new: &'a mut [M],
-    /// Values of a row.
+    /// Length of a row.
     pub stride: usize,
 }
 
-/// `share / largest`, the factor that scales a message to a maximum of `share`; 0 where its products all vanished, or
-/// nearly so: the factor would leave the range then, and what is left of the products has few digits.
+/// `share / largest`, the factor that scales a message to a maximum of `share`. 0 where its products all vanished, or
+/// nearly so: the factor would then leave the range, and the remaining products have few digits.
 #[inline(always)]
 pub(super) fn inverse_of(largest: f32, share: f32) -> f32 {
     let scale = share / largest;
@@ -33,9 +33,9 @@ pub(super) fn inverse_of(largest: f32, share: f32) -> f32 {
 }
 
 dispatch! {
-    /// Writes the messages of one chunk of labels: `updated` has those of the labels from `start` on before scaling, a
-    /// multiple of [`WIDTH`] and at most [`CHUNK`], and `largest` the largest value of each lane over all labels. Returns
-    /// the largest change.
+    /// Writes the messages of one chunk of labels. `updated` has the unscaled messages of the labels from `start` on, a
+    /// multiple of [`WIDTH`] and at most [`CHUNK`]; `largest` has the largest value of each lane over all labels.
+    /// Returns the largest change.
     pub(super) fn write_chunk<M: MessageValue>(
         updated: &[Lanes],
         start: usize,
@@ -87,8 +87,8 @@ fn write<S: Simd, M: MessageValue>(
     changes.iter().fold(0.0, |a, &b| if b > a { b } else { a })
 }
 
-/// A chunk of messages in which those of lanes whose products all vanished are flat, since they carry no information;
-/// their scales become `share`. Lanes that a block leaves empty may be among them.
+/// A chunk of messages in which lanes whose products all vanished are flat, since they carry no information; their
+/// scales become `share`. Empty lanes may be among them.
 #[cold]
 #[inline(never)]
 fn with_flat_lanes(updated: &[Lanes], scales: &mut [f32; BLOCK_LANES], share: f32) -> [Lanes; CHUNK] {
@@ -108,11 +108,11 @@ fn quad(label: &Lanes, lane: usize) -> &[f32; 4] {
 
 /// [`WIDTH`] lanes of a block.
 struct Group {
-    /// The first of them.
+    /// The first lane of the group.
     lane: usize,
     /// Factor of each lane, with the share of the new message in it.
     scale: [f32; WIDTH],
-    /// Times the same share.
+    /// Floor times the share of the new message.
     floor: f32,
     damping: f32,
     labels: std::ops::Range<usize>,
@@ -138,8 +138,8 @@ impl Group {
         let mut most = change;
         for (tile, lanes) in updated.as_chunks::<WIDTH>().0.iter().enumerate() {
             let label = start + tile * WIDTH;
-            // What the next chunk needs of these rows is asked for now, whenever a line of the cache begins: the rows are too
-            // many, and their pieces too short, for the processor to see what comes next.
+            // Prefetches the part of these rows that the next chunk needs, at the start of each cache line: the rows
+            // are too many, and their pieces too short, for the hardware prefetcher.
             if (tile * WIDTH * size_of::<M>()).is_multiple_of(LINE_BYTES) {
                 for row in 0..n_rows {
                     simd.prefetch_far(old, row * stride + label + CHUNK);
@@ -175,7 +175,7 @@ mod tests {
     use half::f16;
     use proptest::prelude::*;
 
-    /// The new rows as the dispatched function writes them and as any machine does, with the largest change.
+    /// The new rows from the dispatched function and from the portable one, with the largest change.
     fn both<M: MessageValue>(updated: &[Lanes], old: &[f32], finish: Finish) -> [(Vec<u32>, u32); 2] {
         let old: Vec<M> = old.iter().map(|&value| M::narrow(value)).collect();
         let mut top = Lanes::splat(0.0);

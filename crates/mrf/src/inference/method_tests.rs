@@ -77,8 +77,8 @@ proptest! {
         }
     }
 
-    /// With damping this also tests that the residual includes the change that damping withholds; without it, the
-    /// schedule would take messages as converged that are not.
+    /// With damping this also tests that the residual includes the change withheld by damping; otherwise the schedule
+    /// would treat unconverged messages as converged.
     #[test]
     fn the_residual_schedule_settles_at_a_fixed_point_of_the_full_update(
         n in 3usize..10,
@@ -94,7 +94,7 @@ proptest! {
         let mut bp = BeliefPropagation::with_method(&model, settings, RESIDUAL);
         let outcome = bp.run(400, &Silent, |_| ()).unwrap();
         prop_assume!(outcome.stop == BpStop::Converged);
-        // Models with cycles may have several fixed points, so that agreement with another schedule would be no proof.
+        // Models with cycles may have several fixed points, so agreement with another schedule would prove nothing.
         let reverse = model.variables.reverse_edges();
         let message = |edge: &u32| bp.incoming_message(*edge as usize).iter().map(|&m| f64::from(m)).collect();
         let messages: Vec<Vec<f64>> = reverse.iter().map(message).collect();
@@ -143,7 +143,7 @@ fn every_method_gives_the_same_bits_on_any_number_of_threads() {
     }
 }
 
-/// A hub with more neighbours than all blocks of a batch have lanes.
+/// A hub with more neighbors than all blocks of a batch have lanes.
 #[test]
 fn a_hub_is_updated_in_pieces_by_the_residual_schedule() {
     let rim = 220;
@@ -161,7 +161,7 @@ fn a_hub_is_updated_in_pieces_by_the_residual_schedule() {
     }
 }
 
-/// Four variables, all neighbours, two labels: equal labels cost 5, different ones nothing; all prefer label 0
+/// Four variables, all neighbors, two labels: equal labels cost 5, different ones nothing; all prefer label 0
 /// slightly. Under flooding all variables switch to the other label in every iteration.
 fn frustrated() -> MrfModel {
     let edges = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
@@ -211,7 +211,7 @@ fn a_run_that_settles_has_a_rate_below_one() {
 fn beliefs_sum_to_one_and_their_peak_is_the_label_with_its_confidence() {
     let edges: Vec<[u32; 2]> = (1..=20).map(|k| [0, k]).chain((1..15).map(|k| [k, k + 1])).collect();
     let entropy: Vec<f64> = (0..97).map(|k| f64::from(k * 31 % 97) / 97.0).collect();
-    // Variable 21 has no neighbours.
+    // Variable 21 has no neighbors.
     let model = model(22, &edges, 17, &entropy, 0.5, 1.0);
     let places: Vec<Point3<f64>> = (0..17).map(|x| Point3::new(f64::from(x), 0.0, 0.0)).collect();
     for method in [BpMethod::default(), FULL, RESIDUAL] {
@@ -234,7 +234,7 @@ fn beliefs_sum_to_one_and_their_peak_is_the_label_with_its_confidence() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// The thesis' constraint: neighbours stay neighbours, whatever it costs.
+    /// The thesis' constraint: neighbors stay neighbors at any cost.
     #[test]
     fn on_a_chain_with_the_hard_constraint_every_method_finds_the_minimum(
         entropy in prop::collection::vec(0.0f64..1.0, 97),
@@ -267,7 +267,7 @@ fn broken_edges_are_those_whose_labels_are_no_neighbors() {
 }
 
 proptest! {
-    /// However the labels lie in memory. Variables of 0 to 3 neighbours; every number is 0 or 1, or next to 0.
+    /// For any memory layout of the labels. Variables of 0 to 3 neighbors; every number is 0 or 1, or next to 0.
     #[test]
     fn of_equal_beliefs_that_of_the_lowest_label_wins(
         good in prop::collection::btree_set(0usize..40, 1..20),

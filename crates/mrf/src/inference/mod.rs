@@ -1,13 +1,13 @@
-//! Minimisers of the energy of [`crate`], and what they report while they run.
+//! Minimizers of the energy of [`crate`], and their reports during a run.
 //!
 //! [`BeliefPropagation`] passes messages over the graph of variables: max-product approximates the labeling of lowest
-//! energy, sum-product the marginals. Its **sparse update** visits only label pairs within the neighbourhood,
-//! because all others share the truncated potential; it computes the same messages as the **full update** over all
-//! pairs. All messages are updated at once (flooding), or those of the variable with
-//! the largest pending change first (residual).
+//! energy, sum-product the marginals. Its **sparse update** visits only label pairs within the neighborhood, because
+//! all others share the truncated potential; it computes the same messages as the **full update** over all pairs.
+//! Either all messages are updated at once (flooding), or the messages of the variable with the largest pending change
+//! first (residual).
 //!
-//! [`DualBound`] raises a lower bound on the energy of every labeling, which shows how far a labeling is from the minimum; it
-//! decodes labelings on the way.
+//! [`DualBound`] raises a lower bound on the energy of every labeling, which bounds the distance of a labeling from the
+//! minimum, and decodes labelings on the way.
 //!
 //! [`SimulatedAnnealing`] and [`LasVegas`] change one label at a time at random; [`LasVegas`] certifies an answer whose energy
 //! is at most a given target.
@@ -46,7 +46,7 @@ mod options;
 mod oracle;
 mod outcome;
 mod pair_table;
-mod randomised;
+mod randomized;
 mod residual;
 mod sparse_update;
 #[cfg(test)]
@@ -66,7 +66,7 @@ pub use convergence::{Convergence, ConvergenceStatus};
 pub use lower_bound::{DualBound, DualIteration, DualOptions, DualOutcome, DualStop};
 pub use options::{BpMethod, BpOptions, MessageStorage, Product, Schedule, Update};
 pub use outcome::{BpIteration, BpOutcome, BpStop};
-pub use randomised::{
+pub use randomized::{
     AnnealingOptions, Cooling, LasVegas, LasVegasOptions, Sampler, SearchOutcome, SearchRun, SearchStop, SearchSweep,
     SimulatedAnnealing, local_confidence,
 };

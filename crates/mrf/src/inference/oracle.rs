@@ -1,4 +1,5 @@
-//! Slow and obvious: exhaustive minimum and marginals, and belief propagation over all label pairs in 64 bits.
+//! Slow and obvious references: exhaustive minimum and marginals, and belief propagation over all label pairs in 64
+//! bits.
 
 use super::Product;
 use crate::MrfModel;

@@ -17,11 +17,11 @@ pub enum BpStop {
 pub struct BpIteration {
     /// From 1.
     pub iteration: u32,
-    /// Energy of the labeling decoded after it.
+    /// Energy of the labeling decoded after the iteration.
     pub energy: Energy,
     /// Largest change of a message.
     pub message_delta_max: f32,
-    /// Variables whose label changed.
+    /// Number of variables whose label changed.
     pub labels_changed: u32,
 }
 
@@ -30,7 +30,7 @@ pub struct BpIteration {
 pub struct BpOutcome {
     /// Label of the largest belief of every variable.
     pub labeling: Labeling,
-    /// That belief, scaled so that the beliefs of a variable sum to 1.
+    /// The largest belief of every variable, scaled so that the beliefs of a variable sum to 1.
     pub confidence: Vec<f64>,
     /// Energy of the labeling.
     pub energy: Energy,
@@ -38,7 +38,7 @@ pub struct BpOutcome {
     pub iterations: u32,
     /// Why it ended.
     pub stop: BpStop,
-    /// Whether it settled, and how fast it was about to.
+    /// State and rate of convergence.
     pub convergence: Convergence,
 }
 
@@ -71,8 +71,8 @@ impl Progress {
         }
     }
 
-    /// Takes the labeling decoded from the present messages, of every variable once, in any order; `energy` evaluates it.
-    /// Returns how many labels changed.
+    /// Takes the labeling decoded from the present messages, of every variable once, in any order; `energy` evaluates
+    /// it. Returns the number of changed labels.
     pub(super) fn decoded(&mut self, found: &[Decoded], energy: impl FnOnce(&[u32]) -> Energy) -> u32 {
         let mut changed = 0;
         for d in found {
@@ -85,7 +85,7 @@ impl Progress {
         changed
     }
 
-    /// One more iteration is done, whose labeling was decoded last and whose largest message change is given.
+    /// Records one more iteration, with its largest message change; its labeling was decoded last.
     pub(super) fn iterated(&mut self, message_delta_max: f32, labels_changed: u32) -> BpIteration {
         self.iterations += 1;
         self.history.push(message_delta_max, self.labeling.iter().copied());

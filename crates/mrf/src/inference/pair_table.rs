@@ -1,18 +1,18 @@
-//! Which label pairs the sparse update visits, with the factors of their pairwise potential.
+//! Label pairs visited by the sparse update, with the factors of their pairwise potential.
 
 use super::label_rows::LabelRows;
 use homolog_primitives::graph::LabelNeighborhoods;
 
-/// Pairs of neighbouring labels with the two factors of their pairwise potential, in rows by label.
+/// Pairs of neighboring labels with the two factors of their pairwise potential, in rows by label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PairTable {
     offsets: Vec<u32>,
     pairs: Vec<Pair>,
     /// `N_1`, each label included, for maxima.
     pub steps: LabelRows,
-    /// `N_r` is that many steps of `N_1`: a maximum over `N_r` is a maximum over `N_1`, that many times. At least 1.
+    /// Number of steps of `N_1` that make `N_r`: a maximum over `N_r` is a maximum over `N_1`, repeated. At least 1.
     pub n_steps: usize,
-    /// `N_r`, for sums; filled up with the label after the last one.
+    /// `N_r`, for sums; padded with the label after the last one.
     pub members: LabelRows,
 }
 
@@ -20,7 +20,7 @@ pub(super) struct PairTable {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pair {
     pub label: u32,
-    /// `exp(β(d'/ℓ' − 1))`, rising with the distance, and its inverse, falling with it.
+    /// `exp(β(d'/ℓ' − 1))`, which rises with the distance, and its inverse, which falls with it.
     pub factors: [f32; 2],
 }
 
@@ -65,8 +65,8 @@ impl PairTable {
     }
 }
 
-/// `ψ = exp(−β|ℓ − d'|/ℓ')` from the [`edge_factors`] of an edge and the factors `[rising, falling]` of a pair of labels: the
-/// smaller of a product and its inverse, so that no loop over labels needs an exponential.
+/// `ψ = exp(−β|ℓ − d'|/ℓ')` from the [`edge_factors`] of an edge and the factors `[rising, falling]` of a label pair:
+/// the smaller of a product and its inverse, so that no loop over labels needs an exponential.
 #[inline(always)]
 pub(super) fn pair_factor((near, far): (f32, f32), [rising, falling]: [f32; 2]) -> f32 {
     let (a, b) = (near * rising, far * falling);
@@ -80,10 +80,11 @@ pub(super) fn truncated_pair_factor(edge: (f32, f32), pair: [f32; 2], epsilon: f
     if psi > epsilon { psi } else { epsilon }
 }
 
-/// Largest exponent of a factor: neither it nor its inverse is 0 or infinite in 32 bits, whose product would be no number.
+/// Largest exponent of a factor: neither the factor nor its inverse is 0 or infinite in 32 bits, which would make
+/// products undefined.
 const LARGEST_EXPONENT: f64 = 85.0;
 
-/// The two factors of `ψ` that belong to an edge of `length`: `exp(−β(ℓ/ℓ' − 1))` and its inverse, of which the larger is at most
+/// The two factors of `ψ` for an edge of `length`: `exp(−β(ℓ/ℓ' − 1))` and its inverse, the larger of which is at most
 /// `exp(85)`.
 pub(super) fn edge_factors(beta: f64, length_scale: f64, length: f32) -> (f32, f32) {
     let exponent = beta * (f64::from(length) / length_scale - 1.0);

@@ -1,14 +1,14 @@
 //! The residual schedule: the variable whose outgoing messages may change most sends next.
 //!
-//! What an update would change is not computed to find out. It is bounded, after Sutton, McCallum 2007: the log of an
-//! outgoing message, up to a constant, changes by no more than the logs of the incoming messages changed together
-//! since the variable last sent. A message with maximum 1 whose log changes by at most `δ` changes by at most
-//! `1 − exp(−δ)`, so that the bound also tells when every message is within the tolerance of its update.
-//! Informed scheduling itself is due to Elidan, McGraw, Koller 2006.
+//! The change of an update is bounded instead of computed, after Sutton, McCallum 2007: the log of an outgoing message,
+//! up to a constant, changes by no more than the sum of the changes of the logs of the incoming messages since the
+//! variable last sent. A message with maximum 1 whose log changes by at most `δ` changes by at most `1 − exp(−δ)`, so
+//! the bound also tells when every message is within the tolerance of its update. Informed scheduling itself is due to
+//! Elidan, McGraw, Koller 2006.
 //!
-//! Variables that are no neighbours of each other read nothing that the others write. A batch of such variables from
-//! the front of the queue is therefore updated side by side and gives what one after the other would give; neither
-//! the batch nor its result depends on the number of threads. Of equal bounds the lowest variable goes first.
+//! Variables that are not neighbors do not read what the others write. A batch of such variables from the front of the
+//! queue is therefore updated side by side, with the same result as one after the other; neither the batch nor its
+//! result depends on the number of threads. Ties between bounds go to the lowest variable.
 
 use super::beliefs::{belief_row, peak};
 use super::block_plan::{BLOCK_LANES, BlockVariable};
@@ -24,11 +24,11 @@ use rayon::prelude::*;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Blocks of a batch: enough for the cores of a small machine, few enough that a batch stays close to the order.
+/// Blocks per batch: enough for the cores of a small machine, few enough that a batch stays close to the order.
 const BATCH_BLOCKS: usize = 8;
-/// A batch takes variables whose bound is at least this share of the largest.
+/// Least bound of a variable in a batch, as a share of the largest.
 const BATCH_SHARE: f32 = 0.5;
-/// Neighbours of members that are passed over before a batch is closed.
+/// Number of neighbors of members that are skipped before a batch is closed.
 const PASSED_OVER: usize = 64;
 
 /// The queue and the workspaces of the residual schedule. Message `i → j` lies in the row of its directed edge.
@@ -39,10 +39,10 @@ pub(super) struct Residual {
     factors: Vec<(f32, f32)>,
     /// Bound on the change of the log of any outgoing message, for every variable.
     pending: Vec<f32>,
-    /// Bits of a bound, which for numbers `≥ 0` are ordered as the numbers are, and its variable. An entry whose
-    /// bound is not that of `pending` any more is void.
+    /// Bits of a bound (ordered like the non-negative numbers they represent) and its variable. An entry is void if its
+    /// bound differs from `pending`.
     queue: BinaryHeap<(u32, Reverse<u32>)>,
-    /// The batch in which a variable was last a member or the neighbour of one.
+    /// The last batch in which a variable was a member or the neighbor of one.
     taken: Vec<u64>,
     batch: u64,
     workspaces: Vec<Workspace>,
@@ -55,7 +55,7 @@ struct Workspace {
     output: Vec<f32>,
 }
 
-/// How one message changed: largest difference, and the range of the ratio of its update to its old values.
+/// Change of one message: the largest difference, and the range of the ratio of its update to its old values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct MessageChange {
     delta: f32,
@@ -63,7 +63,7 @@ struct MessageChange {
     highest: f32,
 }
 
-/// What `|E→|` message updates, or the last ones, did.
+/// Summary of `|E→|` message updates, or of the last ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Round {
     /// Largest change of a message.
@@ -98,7 +98,7 @@ impl Residual {
         }
     }
 
-    /// Runs as [`super::BeliefPropagation::run`] does.
+    /// Runs like [`super::BeliefPropagation::run`].
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -142,7 +142,7 @@ impl Residual {
             .collect()
     }
 
-    /// Every variable is pending, since no message has been compared with its update yet.
+    /// Marks every variable as pending, since no message has been compared with its update yet.
     fn begin(&mut self) {
         self.queue.clear();
         for i in 0..self.pending.len() {
@@ -161,7 +161,7 @@ impl Residual {
         }
     }
 
-    /// Updates `|E→|` messages, give or take a batch, or as many as it takes until all are settled.
+    /// Updates about `|E→|` messages, to within a batch, or fewer if all are settled earlier.
     fn iterate(
         &mut self,
         kernel: Kernel<'_>,
@@ -169,7 +169,7 @@ impl Residual {
         observer: &dyn Observer,
     ) -> Result<Round, Cancelled> {
         let graph = &kernel.model.variables;
-        // The bound on the log that keeps the change itself within the tolerance.
+        // The bound on the log for which the change itself is within the tolerance.
         let limit = -(1.0 - kernel.options.tolerance.clamp(0.0, 1.0)).ln();
         let mut round = Round { delta: 0.0, settled: false };
         let mut updates = 0;
@@ -196,7 +196,7 @@ impl Residual {
         Ok(round)
     }
 
-    /// Variables from the front of the queue, no two of them neighbours, packed into blocks. Empty if no bound is
+    /// Variables from the front of the queue, no two of them neighbors, packed into blocks. Empty if no bound is
     /// above `limit`.
     fn next_batch(&mut self, graph: &EdgeGraph, limit: f32) -> Vec<Vec<BlockVariable>> {
         self.batch += 1;
@@ -249,7 +249,7 @@ impl Residual {
         true
     }
 
-    /// The new messages of all blocks, into their workspaces, and how each lane changed.
+    /// Computes the new messages of all blocks into their workspaces, and the change of each lane.
     fn compute(
         &mut self,
         kernel: Kernel<'_>,
@@ -284,7 +284,8 @@ impl Residual {
             .collect()
     }
 
-    /// Takes what members of a batch sent off their bounds, and adds it to those of their neighbours.
+    /// Subtracts the changes sent by members of a batch from their bounds, and adds them to the bounds of their
+    /// neighbors.
     fn account(
         &mut self,
         graph: &EdgeGraph,
@@ -304,7 +305,7 @@ impl Residual {
                     left = left.max(kept_back);
                     self.raise(graph.head(edge), sent);
                 }
-                // The pieces of a variable with many neighbours each keep something back; the largest counts.
+                // Each piece of a variable with many neighbors retains a remainder; the largest counts.
                 let more = left - self.pending[of.variable];
                 if more > 0.0 {
                     self.raise(of.variable, more);
@@ -323,10 +324,10 @@ fn block_edges(graph: &EdgeGraph, block: &[BlockVariable]) -> impl Iterator<Item
 }
 
 impl MessageChange {
-    /// By how much the log of the message changed up to a constant, and by how much damping kept it from its update.
+    /// The change of the log of the message up to a constant, and the change that damping withheld.
     fn log_ranges(self, damping: f32) -> (f32, f32) {
         let (low, high) = (f64::from(self.lowest), f64::from(self.highest));
-        // Both ratios grow with that of the update, so that the ends of the range stay its ends.
+        // Both ratios grow with the ratio of the update, so the ends of the range stay its ends.
         let sent = |ratio: f64| (1.0 - f64::from(damping)) * ratio + f64::from(damping);
         let range = |from: f64, to: f64| (to / from).ln().max(0.0) as f32;
         let kept = |ratio: f64| ratio / sent(ratio);
@@ -334,7 +335,7 @@ impl MessageChange {
     }
 }
 
-/// Scales one lane to maximum 1, floors and damps it into `new`; the message before is `old`.
+/// Scales one lane to maximum 1, floors it and damps it into `new`; `old` is the previous message.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn settle_lane(
@@ -346,14 +347,14 @@ fn settle_lane(
     finish: Finish,
 ) -> MessageChange {
     let scale = inverse_of(top, 1.0);
-    // A lane whose products all vanished carries no information: a flat message.
+    // A lane whose products all vanished carries no information and becomes a flat message.
     let floor = if scale > 0.0 { finish.floor } else { 1.0 };
     let share = 1.0 - finish.damping;
     let mut change = MessageChange { delta: 0.0, lowest: f32::INFINITY, highest: 0.0 };
     for ((row, &old), new) in updated.iter().zip(old).zip(new) {
         let value = row[lane] * scale;
         let value = if value > floor { value } else { floor };
-        // Without a floor both may be 0; that is no change.
+        // Without a floor both may be 0, which is no change.
         let (above, below) = (value + f32::MIN_POSITIVE, old + f32::MIN_POSITIVE);
         let ratio = above / below;
         change.lowest = if ratio < change.lowest { ratio } else { change.lowest };

@@ -5,7 +5,7 @@
 //! `ψ = exp(−β|ℓ − d'|/ℓ')` is the smaller of `exp(−βℓ/ℓ')·exp(βd'/ℓ')` and its inverse.
 //!
 //! Without a distance term (`β = 0`) max-product needs far fewer comparisons than `N_r` has members: a maximum over
-//! `N_r` is `r` times a maximum over `N_1`, on a triangle mesh `7 r` instead of `1 + 3 r (r + 1)`.
+//! `N_r` is a maximum over `N_1` repeated `r` times, on a triangle mesh `7 r` comparisons instead of `1 + 3 r (r + 1)`.
 //!
 //! Every operation is the same on every instruction set (no fused multiply-add, fixed order), so the dispatched
 //! versions give equal bits.
@@ -22,15 +22,15 @@ use multiversion::multiversion;
 /// Scratch of one thread, reused from block to block.
 #[derive(Debug, Clone)]
 pub(super) struct Scratch {
-    /// Cavity products, `[label][lane]`, and a row of zeros behind them; an update may leave something else there.
+    /// Cavity products, `[label][lane]`, followed by a row of zeros; an update may overwrite them.
     pub cavity: Vec<Lanes>,
-    /// Updated messages before scaling, `[label][lane]`, with one more row too.
+    /// Updated messages before scaling, `[label][lane]`, also with one more row.
     pub updated: Vec<Lanes>,
-    /// Of the cavity pass.
+    /// Scratch of the cavity pass.
     pub chains: Chains,
-    /// Factors of a few labels against all others, of the full update only.
+    /// Factors of a few labels against all others, for the full update only.
     pub dense: Vec<DenseFactors>,
-    /// Updated messages of a chunk of labels that are written at once.
+    /// Updated messages of a chunk of labels, written together.
     pub chunk: Box<[Lanes; CHUNK]>,
 }
 
@@ -48,7 +48,7 @@ impl Scratch {
     }
 }
 
-/// Vectors of all lanes of a label.
+/// Vectors per label, over all lanes.
 const GROUPS: usize = BLOCK_LANES / WIDTH;
 
 dispatch! {
@@ -57,8 +57,8 @@ dispatch! {
 }
 
 dispatch! {
-    /// A chunk of `to(y) = rest + share · Σ_{x ∈ rows(y)} from(x)` with `terms = (rest, share)`; 0 beyond the labels. Raises `largest` to the largest
-    /// value of each lane.
+    /// A chunk of `to(y) = rest + share · Σ_{x ∈ rows(y)} from(x)` with `terms = (rest, share)`; 0 beyond the labels.
+    /// Raises `largest` to the largest value of each lane.
     pub(super) fn sum_chunk(
         rows: &LabelRows,
         chunk: usize,
@@ -99,7 +99,7 @@ fn sums<S: Simd>(
     store(top, largest);
 }
 
-/// `to(y)` is `first`, combined with the numbers of every member of the row of `y`.
+/// `to(y)` is `first`, combined with the values of all members of the row of `y`.
 #[inline(always)]
 fn fold_chunk<S: Simd>(
     simd: S,
@@ -113,7 +113,7 @@ fn fold_chunk<S: Simd>(
     assert!(rows.limit() <= from.len(), "labels beyond the cavity products");
     let first = load(simd, first);
     let members = rows.members(chunk);
-    // The usual widths of triangle and quad meshes, one after the other without a loop.
+    // The usual widths of triangle and quad meshes, unrolled.
     match rows.width() {
         5 => fold_rows(simd, members.as_chunks::<5>().0.iter(), from, first, combine, to),
         7 => fold_rows(simd, members.as_chunks::<7>().0.iter(), from, first, combine, to),
@@ -165,8 +165,8 @@ fn store<V: Vector>(values: [V; GROUPS], lanes: &mut Lanes) {
     }
 }
 
-/// Max-product without a distance term: `ψ = 1` within the neighbourhood. Uses up `scratch.cavity`. `largest` are the
-/// maxima of the cavity products, which those of the messages equal, since a label is in its own neighbourhood.
+/// Max-product without a distance term: `ψ = 1` within the neighborhood. Overwrites `scratch.cavity`. `largest` are the
+/// maxima of the cavity products; they equal the maxima of the messages, since a label is in its own neighborhood.
 pub(super) fn max_update_uniform(table: &PairTable, floor: &Lanes, scratch: &mut Scratch) {
     max_steps_but_last(table, scratch);
     for (chunk, to) in scratch.updated.chunks_mut(CHUNK).enumerate() {
@@ -174,7 +174,7 @@ pub(super) fn max_update_uniform(table: &PairTable, floor: &Lanes, scratch: &mut
     }
 }
 
-/// All steps but the last of [`max_update_uniform`], so that `scratch.cavity` lacks one maximum over `N_1`.
+/// All steps of [`max_update_uniform`] except the last: `scratch.cavity` then lacks one maximum over `N_1`.
 pub(super) fn max_steps_but_last(table: &PairTable, scratch: &mut Scratch) {
     for _ in 1..table.n_steps {
         for (chunk, to) in scratch.updated.chunks_mut(CHUNK).enumerate() {
@@ -188,7 +188,7 @@ pub(super) fn max_steps_but_last(table: &PairTable, scratch: &mut Scratch) {
 /// the largest value of each lane. Sums have no shortcut by `N_1`, which would count a label once for each path.
 pub(super) fn sum_update_uniform(table: &PairTable, rest: &Lanes, epsilon: f32, scratch: &mut Scratch) -> Lanes {
     let mut largest = Lanes::splat(0.0);
-    // What rows are filled up with: a label beyond the last one.
+    // The padding label of rows, which lies beyond the last label.
     scratch.cavity[table.n_labels()] = Lanes::splat(0.0);
     for (chunk, to) in scratch.updated.chunks_mut(CHUNK).enumerate() {
         sum_chunk(&table.members, chunk, &scratch.cavity, (rest, 1.0 - epsilon), to, &mut largest);

@@ -1,4 +1,4 @@
-//! Messages of 16 bits against those of 32, and against what rounding can do at most.
+//! Messages of 16 bits compared with messages of 32, and with the largest possible effect of rounding.
 
 use super::oracle::{exhaustive_minimum, updated_message};
 use super::tests::{model, model_with_rings, path_with_chords, tree};
@@ -36,7 +36,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     /// A belief on a tree is made of every message towards its variable once, each rounded once; both products are
-    /// linear in each message, so that nothing enlarges what rounding does.
+    /// linear in each message, so nothing amplifies the rounding.
     #[test]
     fn on_trees_beliefs_are_off_by_one_rounding_a_message(
         parents in prop::collection::vec(0usize..100, 4),
@@ -81,7 +81,7 @@ proptest! {
         let reverse = model.variables.reverse_edges();
         let message = |edge: &u32| bp.incoming_message(*edge as usize).iter().map(|&m| f64::from(m)).collect();
         let messages: Vec<Vec<f64>> = reverse.iter().map(message).collect();
-        // Half a step between numbers of 16 bits below 1, of which damping lets through a share only.
+        // Half a step between numbers of 16 bits below 1; damping passes on only a share of it.
         let off = 2f64.powi(-12) / (1.0 - f64::from(damping)) + 1e-6;
         for (edge, message) in messages.iter().enumerate() {
             for (m, exact) in message.iter().zip(updated_message(&model, product, &messages, edge, 1e-5)) {
@@ -127,7 +127,7 @@ fn beliefs_of_few_iterations_are_close_on_any_graph() {
     }
 }
 
-/// The floor is raised to what 16 bits can tell from 0: no neighbour alone rules a label out.
+/// The floor is raised to the smallest positive number of 16 bits: no neighbor alone rules a label out.
 #[test]
 fn a_message_of_sixteen_bits_is_never_zero() {
     let mut model = model(4, &[[0, 1], [1, 2], [2, 3]], 30, &[0.1, 0.7, 0.3, 0.9], 0.0, f64::INFINITY);
@@ -144,7 +144,7 @@ fn a_message_of_sixteen_bits_is_never_zero() {
     assert_eq!(half, 2f32.powi(-24));
 }
 
-/// Its bounds on what is pending are finer than steps between numbers of 16 bits.
+/// The bounds of the residual schedule on pending changes are finer than steps between numbers of 16 bits.
 #[test]
 fn the_residual_schedule_keeps_32_bits() {
     let edges: Vec<[u32; 2]> = (0..19).map(|k| [k, k + 1]).chain((0..15).map(|k| [k, k + 5])).collect();

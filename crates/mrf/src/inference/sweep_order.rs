@@ -1,12 +1,12 @@
-//! An order of the variables in which many can be treated side by side, and whose paths are long all the same.
+//! An order of the variables in which many can be processed side by side and paths are nevertheless long.
 //!
-//! Sequential dual ascent carries information along paths that ascend in its order: a colouring of the whole graph
-//! would give wide steps but paths of a few edges. Here the order follows the distance from an end of the graph, and
-//! only variables at the same distance are coloured; a step is one colour at one distance.
+//! Sequential dual ascent carries information along paths that ascend in its order. A coloring of the whole graph would
+//! give wide steps but paths of a few edges. Here the order follows the distance from an end of the graph, and only
+//! variables at the same distance are colored; a step is one color at one distance.
 
 use homolog_primitives::graph::EdgeGraph;
 
-/// Steps of variables, no two of a step neighbours of each other.
+/// Steps of variables; no two variables of a step are neighbors.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SweepOrder {
     /// Variables of every step, ascending.
@@ -44,8 +44,8 @@ impl SweepOrder {
     }
 }
 
-/// All vertices by breadth-first search, component after component, each from a far end: from the vertex that a first
-/// search reaches last. Also the number of edges of each from there. Cost `O(|E→|)`.
+/// All vertices by breadth-first search, component after component, each from a far end: the vertex that a first search
+/// reaches last. Also the number of edges from there to each vertex. Cost `O(|E→|)`.
 pub(super) fn from_far_ends(graph: &EdgeGraph) -> (Vec<u32>, Vec<u32>) {
     let n = graph.n_vertices();
     let mut order = Vec::with_capacity(n);
@@ -60,7 +60,7 @@ pub(super) fn from_far_ends(graph: &EdgeGraph) -> (Vec<u32>, Vec<u32>) {
     (order, depth)
 }
 
-/// Breadth-first search from `start` over vertices whose depth is not set; returns them as they are found.
+/// Breadth-first search from `start` over vertices without a depth; returns them in the order of discovery.
 fn search(graph: &EdgeGraph, start: u32, depth: &mut [u32]) -> Vec<u32> {
     let mut queue = vec![start];
     depth[start as usize] = 0;

@@ -123,7 +123,7 @@ proptest! {
     }
 }
 
-/// A wheel: its hub has more neighbours than a block has lanes.
+/// A wheel: its hub has more neighbors than a block has lanes.
 #[test]
 fn variables_of_high_degree_equal_the_full_update() -> Result<(), TestCaseError> {
     let rim = 37u32;
@@ -140,7 +140,7 @@ fn variables_of_high_degree_equal_the_full_update() -> Result<(), TestCaseError>
     Ok(())
 }
 
-/// Labels of several chunks, the last of them partly filled, and variables of 1 to 11 neighbours.
+/// Labels of several chunks, the last of them partly filled, and variables of 1 to 11 neighbors.
 #[test]
 fn many_labels_equal_the_full_update() {
     let edges: Vec<[u32; 2]> = (1..=11).map(|k| [0, k]).chain((1..9).map(|k| [k, k + 3])).chain([[1, 2]]).collect();

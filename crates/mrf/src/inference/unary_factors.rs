@@ -1,30 +1,31 @@
-//! Unary factors `φ_i(x) = exp(−θ_i(x))` in 32 bits, each row in a scale in which no product of messages leaves the range.
+//! Unary factors `φ_i(x) = exp(−θ_i(x))` in 32 bits, each row scaled so that no product of messages leaves the range.
 //!
-//! A factor that all labels of a variable share changes neither the maxima nor the shares of its beliefs, nor any message,
-//! since messages are scaled to maximum 1. Each row may therefore have a scale of its own. Energies are computed from the
-//! potentials and not from these factors, so that no scale shows in them.
+//! A factor common to all labels of a variable changes neither the maxima nor the shares of its beliefs, nor any
+//! message, since messages are scaled to maximum 1. Each row may therefore have its own scale. Energies are computed
+//! from the potentials, not from these factors, so scales do not affect them.
 //!
-//! A label whose potential is more than 87 above the lowest of its variable leaves the normal numbers of 32 bits, and
-//! more than 104 above it its factor is 0: no messages bring it back, even where `d` neighbours that each pay up to the
-//! truncation `T` for another label would (`d T > 87`).
+//! A label whose potential is more than 87 above the lowest of its variable leaves the normal numbers of 32 bits; more
+//! than 104 above it, its factor is 0. No messages bring such a label back, even where `d` neighbors that each pay up
+//! to the truncation `T` for another label would (`d T > 87`).
 
 use super::options::Product;
 
-/// Rows whose smallest potential lies within stay as they are; all others are shifted by it.
+/// Range of a row's smallest potential within which the row is not shifted; other rows are shifted by their smallest
+/// potential.
 ///
-/// Shifting every row would do as well, but `exp(−(θ − c))` rounds differently from `exp(−θ)`. Within these limits nothing
-/// is lost. Above, `exp(−32) = 1.3e-14`: times 2^60, the scale of one chain of messages, and 1e-5 for each of eight
-/// messages at the usual floor, the largest belief is still a normal number (1e-36). Below, `exp(5) < 2^8`, and the cavity
-/// products, which carry both chains, stay under `2^8 · 2^120 = 2^128`.
+/// Shifting every row would also be correct, but `exp(−(θ − c))` rounds differently from `exp(−θ)`. Within this range
+/// nothing is lost. At the upper limit `exp(−32) = 1.3e-14`: times 2^60, the scale of one chain of messages, and 1e-5
+/// for each of eight messages at the usual floor, the largest belief is still a normal number (1e-36). At the lower
+/// limit `exp(5) < 2^8`, and the cavity products, which carry both chains, stay under `2^8 · 2^120 = 2^128`.
 const UNSHIFTED: std::ops::RangeInclusive<f32> = -5.0..=32.0;
 
-/// Largest sum of a row of factors for sum-product, which adds up the cavity products of all labels: up to `2^120` times
-/// these, so that their sum has to stay below `2^8`, with room for rounding.
+/// Largest sum of a row of factors for sum-product, which adds up the cavity products of all labels. These are up to
+/// `2^120` times the factors, so the sum has to stay below `2^8`, with room for rounding.
 const LARGEST_SUM: f64 = 128.0;
 
-/// Turns the potentials of a variable into its factors, in a scale of their own.
+/// Turns the potentials of a variable into its factors, in their own scale.
 ///
-/// Potentials are finite, or `+∞` for a label that is forbidden; a row that forbids all labels prefers none. Cost `O(n)`.
+/// Potentials are finite, or `+∞` for a forbidden label; a row that forbids all labels prefers none. Cost `O(n)`.
 pub(super) fn exponentiate(row: &mut [f32], product: Product) {
     let lowest = row.iter().copied().fold(f32::INFINITY, f32::min);
     if !lowest.is_finite() {

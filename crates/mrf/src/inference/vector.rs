@@ -1,11 +1,11 @@
-//! Eight `f32` in a register, and what the dense kernel does with them.
+//! Eight `f32` in a register, and the operations of the dense kernel on them.
 //!
-//! An instruction set is a token ([`Simd`]): [`Plain`] for any machine, [`Avx2`] for those that have AVX2 and F16C, which
-//! [`Avx2::new`] checks. Vectors are made by tokens only, so that the existence of a vector proves its instruction set
-//! and its methods are safe. Loops are written once, over any token, and compiled for both by [`dispatch!`].
+//! An instruction set is a token ([`Simd`]): [`Plain`] for any machine, [`Avx2`] for machines with AVX2 and F16C, which
+//! [`Avx2::new`] checks. Only tokens create vectors, so the existence of a vector proves its instruction set and its
+//! methods are safe. Loops are written once, over any token, and [`dispatch!`] compiles them for both.
 //!
-//! Each operation is one rounding or none on both, so that both give the same bits; a test holds them equal. Intrinsics
-//! are used because of the transposes: what the compiler makes of those goes through memory, number by number.
+//! Each operation rounds at most once on both, so both give the same bits; a test holds them equal. Intrinsics are used
+//! because of the transposes, which the compiler would route through memory, number by number.
 
 use half::f16;
 use wide::f32x4;
@@ -17,11 +17,11 @@ pub(super) const WIDTH: usize = 8;
 pub(super) trait Simd: Copy {
     /// Eight numbers in its registers.
     type Vector: Vector;
-    /// The same number eight times.
+    /// A vector with the same number eight times.
     fn splat(self, value: f32) -> Self::Vector;
-    /// From memory, at any address.
+    /// Loads from memory, at any address.
     fn load(self, from: &[f32; WIDTH]) -> Self::Vector;
-    /// From numbers of 16 bits in memory, at any address.
+    /// Loads numbers of 16 bits from memory, at any address.
     fn load_half(self, from: &[f16; WIDTH]) -> Self::Vector;
     /// The transpose of eight rows of four numbers: for every `k` the column of numbers `k`.
     fn columns(self, rows: [&[f32; 4]; WIDTH]) -> [Self::Vector; 4];
@@ -31,12 +31,12 @@ pub(super) trait Simd: Copy {
     fn prefetch_far<T>(self, values: &[T], at: usize);
 }
 
-/// Eight numbers; all operations number by number.
+/// Eight numbers; all operations are elementwise.
 pub(super) trait Vector: Copy {
-    /// To memory, at any address.
+    /// Stores to memory, at any address.
     fn store(self, to: &mut [f32; WIDTH]);
-    /// To numbers of 16 bits in memory, at any address: to the nearest, of two equally near ones to the even one. Returns
-    /// what [`Simd::load_half`] gives back.
+    /// Stores as numbers of 16 bits to memory, at any address, rounded to the nearest, ties to even. Returns the values
+    /// that [`Simd::load_half`] would give back.
     fn store_half(self, to: &mut [f16; WIDTH]) -> Self;
     /// `self + other`.
     fn add(self, other: Self) -> Self;
@@ -46,7 +46,7 @@ pub(super) trait Vector: Copy {
     fn mul(self, other: Self) -> Self;
     /// `self` where it is larger, else `other`.
     fn max(self, other: Self) -> Self;
-    /// Without its sign.
+    /// The absolute value.
     fn abs(self) -> Self;
     /// `a` where `self` is larger than `other`, else `b`.
     fn choose_if_above(self, other: Self, a: Self, b: Self) -> Self;
@@ -54,7 +54,7 @@ pub(super) trait Vector: Copy {
 
 /// Defines a function that calls the generic `$body` with the best token of this machine as its first argument.
 ///
-/// `$body` has to be `#[inline(always)]`, since it is compiled for AVX2 by being inlined into a function that is.
+/// `$body` has to be `#[inline(always)]`: it is compiled for AVX2 by being inlined into a function with that feature.
 macro_rules! dispatch {
     (
         $(#[$attribute:meta])*
@@ -84,7 +84,7 @@ macro_rules! dispatch {
 }
 pub(super) use dispatch;
 
-/// What any machine has.
+/// The portable instruction set.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Plain;
 
@@ -186,16 +186,16 @@ mod avx2 {
     use half::f16;
     use std::arch::x86_64::*;
 
-    /// A machine that has AVX2 and F16C, which came before it.
+    /// A machine with AVX2 and F16C.
     #[derive(Debug, Clone, Copy)]
     pub(in super::super) struct Avx2(());
 
-    /// Eight numbers in a register of such a machine. Only [`Avx2`] makes the first one.
+    /// Eight numbers in a register of such a machine. Only [`Avx2`] creates the first one.
     #[derive(Debug, Clone, Copy)]
     pub(in super::super) struct Avx2Vector(__m256);
 
     impl Avx2 {
-        /// The token, if this machine has both.
+        /// The token, if this machine has both features.
         #[inline(always)]
         pub(in super::super) fn new() -> Option<Self> {
             let has_both = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("f16c");
@@ -246,13 +246,13 @@ mod avx2 {
 
         #[inline(always)]
         fn prefetch<T>(self, values: &[T], at: usize) {
-            // SAFETY: a prefetch may be of any address; past the end nothing is read.
+            // SAFETY: a prefetch accepts any address; past the end nothing is read.
             unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().wrapping_add(at).cast()) }
         }
 
         #[inline(always)]
         fn prefetch_far<T>(self, values: &[T], at: usize) {
-            // SAFETY: a prefetch may be of any address; past the end nothing is read.
+            // SAFETY: a prefetch accepts any address; past the end nothing is read.
             unsafe { _mm_prefetch::<_MM_HINT_T1>(values.as_ptr().wrapping_add(at).cast()) }
         }
     }
@@ -323,7 +323,7 @@ mod tests {
         std::array::from_fn(|k| &rows[k].as_chunks().0[half])
     }
 
-    /// What every operation makes of two vectors, and of eight rows.
+    /// The results of every operation on two vectors, and on eight rows.
     #[inline(always)]
     fn everything<S: Simd>(simd: S, rows: &[[f32; WIDTH]; WIDTH]) -> Vec<[u32; WIDTH]> {
         let loaded: [S::Vector; WIDTH] = std::array::from_fn(|k| simd.load(&rows[k]));

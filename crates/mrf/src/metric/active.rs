@@ -1,15 +1,15 @@
 //! Belief propagation over a few **active labels** of each variable: the labels that a variable may still take.
 //!
-//! Most of the labels of a variable cost so much by themselves that no message makes up for it. With the `A` cheapest of `K`
-//! labels a message takes `A²` operations instead of `K²`, and the pairwise potentials of an edge fit into a table. Labels
-//! that were left out are taken up again where the labels of the neighbors make them cheap ([`MetricModel::revised`]), and
-//! [`MetricModel::descend`] looks at all of them.
+//! Most labels of a variable are too expensive by themselves for any message to compensate. With the `A` cheapest of
+//! `K` labels a message takes `A²` operations instead of `K²`, and the pairwise potentials of an edge fit into a table.
+//! Labels that were left out become active again where the labels of the neighbors make them cheap
+//! ([`MetricModel::revised`]), and [`MetricModel::descend`] considers all labels.
 //!
-//! Messages are numbers of the normalised linear domain: `φ = exp(−θ_i)`, `ψ = exp(−θ_ij)`,
-//! `m_{i→j}(y) = ⊕_x ψ(x, y) φ(x) Π_{k ≠ j} m_{k→i}(x)`, scaled to maximum 1, where `⊕` is the maximum
-//! ([`Semiring::Max`]) or the sum ([`Semiring::Sum`]). Truncation keeps `ψ ≥ exp(−T)`, so no message is 0.
+//! Messages are normalized and in the linear domain: `φ = exp(−θ_i)`, `ψ = exp(−θ_ij)`, `m_{i→j}(y) = ⊕_x ψ(x, y) φ(x)
+//! Π_{k ≠ j} m_{k→i}(x)`, scaled to maximum 1, where `⊕` is the maximum ([`Semiring::Max`]) or the sum
+//! ([`Semiring::Sum`]). Truncation keeps `ψ ≥ exp(−T)`, so no message is 0.
 //!
-//! Sources: Pearl 1988; Anguelov et al., NIPS 2004 (labels of low unary cost alone).
+//! Sources: Pearl 1988; Anguelov et al., NIPS 2004 (labels of low unary cost only).
 
 use super::MetricModel;
 use crate::{Energy, Labeling};
@@ -20,25 +20,25 @@ use rayon::prelude::*;
 /// Edges whose messages one task computes.
 const BATCH: usize = 64;
 
-/// What messages do over the labels of the variable that sends them.
+/// Reduction of messages over the labels of the sending variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Semiring {
-    /// Max-product: beliefs are max-marginals, and their maxima a labeling of low energy.
+    /// Max-product: beliefs are max-marginals, and their maxima form a labeling of low energy.
     Max,
     /// Sum-product: beliefs are marginals.
     Sum,
 }
 
-/// How belief propagation over active labels runs.
+/// Options of belief propagation over active labels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActiveOptions {
     /// Maximum or sum.
     pub semiring: Semiring,
-    /// Most iterations; in each all messages are computed from those of the one before.
+    /// Largest number of iterations; each computes all messages from those of the previous one.
     pub iterations: u32,
     /// Share of the old message that is kept, in `[0, 1)`.
     pub damping: f32,
-    /// Change of a message, whose maximum is 1, up to which propagation has converged and ends.
+    /// Largest change of a message (maximum 1) at which propagation has converged and ends.
     pub tolerance: f32,
 }
 
@@ -55,19 +55,19 @@ impl ActiveLabels {
         self.per_variable
     }
 
-    /// Those of a variable, ascending.
+    /// The active labels of a variable, ascending.
     pub fn of(&self, variable: usize) -> &[u32] {
         &self.labels[variable * self.per_variable..][..self.per_variable]
     }
 }
 
-/// Beliefs over active labels, those of a variable with maximum 1 (max-product) or sum 1 (sum-product).
+/// Beliefs over active labels; those of a variable have maximum 1 (max-product) or sum 1 (sum-product).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ActiveBeliefs {
     /// The labels.
     pub active: ActiveLabels,
     beliefs: Vec<f32>,
-    /// Iterations that were made.
+    /// Number of iterations.
     pub iterations: u32,
     /// Largest change of a message in the last iteration; messages have maximum 1.
     pub message_delta_max: f32,
@@ -79,7 +79,7 @@ impl ActiveBeliefs {
         &self.beliefs[variable * self.active.per_variable..][..self.active.per_variable]
     }
 
-    /// The label of the largest belief of each variable, the lowest of equal ones.
+    /// The label of the largest belief of each variable; ties go to the lowest label.
     pub fn labeling(&self) -> Labeling {
         let n = self.beliefs.len() / self.active.per_variable;
         let best = |i: usize| {
@@ -92,8 +92,8 @@ impl ActiveBeliefs {
 }
 
 impl MetricModel {
-    /// For each variable the `per_variable` labels of lowest unary potential plus `bias` (`n × K`, or empty), the lowest of equal
-    /// ones; all labels where there are no more. Cost `O(n K)`.
+    /// For each variable the `per_variable` labels of lowest unary potential plus `bias` (`n × K`, or empty); ties go
+    /// to the lowest label; all labels if there are fewer. Cost `O(n K)`.
     ///
     /// # Panics
     /// If `bias` has another shape.
@@ -109,8 +109,8 @@ impl MetricModel {
         self.active(per_variable, |i, count| cheapest_of(&cost(i), count))
     }
 
-    /// Active labels for which one half are those of the largest beliefs and the other half, of those that are not active
-    /// yet, cost least while all other variables have the labels that `beliefs` prefer. Cost `O(K · edges)`.
+    /// New active labels. One half has the largest beliefs. The other half, chosen from inactive labels, costs least
+    /// while all other variables have the labels that `beliefs` prefer. Cost `O(K · edges)`.
     pub fn revised(&self, beliefs: &ActiveBeliefs) -> ActiveLabels {
         let labeling = beliefs.labeling();
         self.active(beliefs.active.per_variable, |i, count| {
@@ -136,12 +136,13 @@ impl MetricModel {
         ActiveLabels { per_variable, labels: labels.concat() }
     }
 
-    /// Belief propagation over the `active` labels, from messages of 1. `bias` (`n × K`, or empty) is added to the unary
-    /// potentials and is no part of the energy. After each iteration `observe` gets its number, from 1, the energy of the
-    /// labeling that the beliefs prefer and the largest change of a message. The same bits on any number of threads.
+    /// Belief propagation over the `active` labels, from messages of 1. `bias` (`n × K`, or empty) is added to the
+    /// unary potentials and not part of the energy. After each iteration `observe` gets its number, from 1, the energy
+    /// of the labeling that the beliefs prefer, and the largest change of a message. Any number of threads gives the
+    /// same bits.
     ///
     /// # Cost
-    /// `O(edges · A²)` for the tables, and for each iteration.
+    /// `O(edges · A²)` for the tables, and the same for each iteration.
     ///
     /// # Panics
     /// If `bias` has another shape.
@@ -188,7 +189,7 @@ impl MetricModel {
         beliefs
     }
 
-    /// `ψ` of every edge, by the label of the first end, then by that of the second.
+    /// `ψ` of every edge, indexed by the label of the first end, then by the label of the second.
     fn tables(&self, active: &ActiveLabels) -> Vec<f32> {
         let a = active.per_variable;
         let mut tables = vec![0.0f32; self.edges.len() * a * a];
@@ -205,7 +206,7 @@ impl MetricModel {
         tables
     }
 
-    /// `φ` of every active label, the largest of a variable 1.
+    /// `φ` of every active label, scaled to maximum 1 for each variable.
     fn unary_factors(&self, active: &ActiveLabels, bias: &[f32]) -> Vec<f32> {
         let of = |i: usize| {
             let cost = |&x: &u32| {
@@ -218,12 +219,12 @@ impl MetricModel {
         (0..self.n_variables).flat_map(of).collect()
     }
 
-    /// Products of the unary factors and all messages that arrive, the largest of a variable 1.
+    /// Products of the unary factors and all incoming messages, scaled to maximum 1 for each variable.
     fn collect(&self, unary: &[f32], messages: &[f32], beliefs: &mut [f32], a: usize) {
         beliefs.par_chunks_mut(a).enumerate().for_each(|(i, own)| {
             own.copy_from_slice(&unary[i * a..][..a]);
             for &e in &self.edges_of[i] {
-                // The message to the second end stands first.
+                // The message to the second end comes first.
                 let to_second = self.edges[e as usize].ends[1] as usize == i;
                 let arrived = &messages[(2 * e as usize + usize::from(!to_second)) * a..][..a];
                 own.iter_mut().zip(arrived).for_each(|(b, m)| *b *= m);
@@ -233,7 +234,7 @@ impl MetricModel {
     }
 }
 
-/// The indices of the `count` lowest of `cost`, the first of equal ones.
+/// The indices of the `count` lowest values of `cost`; ties go to the first.
 fn cheapest_of(cost: &[f32], count: usize) -> Vec<u32> {
     let mut order: Vec<u32> = (0..cost.len() as u32).collect();
     let by_cost = |&x: &u32, &y: &u32| cost[x as usize].total_cmp(&cost[y as usize]).then(x.cmp(&y));
@@ -244,7 +245,7 @@ fn cheapest_of(cost: &[f32], count: usize) -> Vec<u32> {
     order
 }
 
-/// Numbers that are compared or added side by side, so that the result does not depend on the instruction set.
+/// Numbers compared or added side by side; a fixed number makes the result independent of the instruction set.
 const LANES: usize = 8;
 
 /// The largest of `values`.
@@ -261,7 +262,7 @@ fn largest(values: &[f32]) -> f32 {
     lanes.iter().chain(rest).fold(f32::MIN_POSITIVE, |a, &b| if b > a { b } else { a })
 }
 
-/// Divides by the largest; none becomes 0.
+/// Divides by the largest value; no result is 0.
 #[inline(always)]
 fn scale(values: &mut [f32]) {
     let factor = 1.0 / largest(values);
@@ -300,7 +301,7 @@ fn sum_of_products(a: &[f32], b: &[f32]) -> f32 {
     rest.sum::<f32>() + lanes.iter().sum::<f32>()
 }
 
-/// Distances of labels become factors `exp(−min(w (d − ℓ)², T))`.
+/// Turns distances of labels into factors `exp(−min(w (d − ℓ)², T))`.
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn factors(distances: &mut [f32], length: f32, weight: f32, truncation: f32) {
@@ -310,7 +311,7 @@ fn factors(distances: &mut [f32], length: f32, weight: f32, truncation: f32) {
     }
 }
 
-/// Both messages of an edge, from the beliefs of its ends; the largest change.
+/// Computes both messages of an edge from the beliefs of its ends; returns the largest change.
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn exchange(
@@ -326,7 +327,7 @@ fn exchange(
     let (from_first, rest) = scratch.split_at_mut(a);
     let (from_second, rest) = rest.split_at_mut(a);
     let (new_to_second, new_to_first) = rest.split_at_mut(a);
-    // What an end was told along this edge is taken out of its belief.
+    // The message that an end received along this edge is removed from its belief.
     for x in 0..a {
         from_first[x] = first[x] / to_first[x];
         from_second[x] = second[x] / to_second[x];
@@ -358,7 +359,7 @@ fn exchange(
     damped(to_second, new_to_second, options.damping).max(damped(to_first, new_to_first, options.damping))
 }
 
-/// Moves `old` messages towards `new` ones, which become the changes; the largest of them.
+/// Moves `old` messages towards `new` ones, which become the changes; returns the largest change.
 #[inline(always)]
 fn damped(old: &mut [f32], new: &mut [f32], damping: f32) -> f32 {
     for (old, new) in old.iter_mut().zip(&mut *new) {
@@ -370,8 +371,8 @@ fn damped(old: &mut [f32], new: &mut [f32], damping: f32) -> f32 {
 }
 
 impl MetricModel {
-    /// The labeling of lowest energy that max-product over active labels leads to: the cheapest labels with `bias`, once
-    /// revised from the beliefs, then conditional modes over all labels for up to `sweeps`.
+    /// The labeling found by max-product over active labels: the cheapest labels with `bias`, revised once from the
+    /// beliefs, then up to `sweeps` of conditional modes over all labels.
     pub fn minimized(
         &self,
         bias: &[f32],

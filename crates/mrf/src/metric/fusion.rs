@@ -1,10 +1,12 @@
-//! Fusion of labelings: a labeling of low energy in which every variable has its label of one or the other.
+//! Fusion of labelings: a labeling of low energy in which every variable takes its label from one of two labelings.
 //!
-//! Belief propagation from different starts is often right about different parts. Which part to take from which is a problem of two
-//! labels for each variable, whatever the number of labels of the model, so it costs `O(edges)` and not `O(edges · K²)`.
+//! Belief propagation from different starts is often right about different parts. Choosing the parts is a problem of
+//! two labels for each variable, whatever the number of labels of the model, so it costs `O(edges)` and not `O(edges ·
+//! K²)`.
 //!
-//! Source: Lempitsky, Rother, Roth, Blake, "Fusion moves for Markov random field optimization", IEEE PAMI 32(8), 2010. They solve the
-//! problem of two labels by roof duality; here it is max-product belief propagation, followed by conditional modes.
+//! Source: Lempitsky, Rother, Roth, Blake, "Fusion moves for Markov random field optimization", IEEE PAMI 32(8), 2010.
+//! They solve the problem of two labels by roof duality; here max-product belief propagation solves it, followed by
+//! conditional modes.
 
 use super::MetricModel;
 use crate::Labeling;
@@ -12,19 +14,19 @@ use crate::Labeling;
 /// Iterations of belief propagation over two labels, and the damping of its messages.
 const ITERATIONS: usize = 40;
 const DAMPING: f64 = 0.5;
-/// Sweeps of conditional modes over two labels, at most.
+/// Largest number of sweeps of conditional modes over two labels.
 const SWEEPS: usize = 50;
 
-/// The choice between two labelings: what each choice costs a variable, and each pair of choices an edge.
+/// The choice between two labelings: the cost of each choice for a variable, and of each pair of choices for an edge.
 struct Choice {
     unary: Vec<[f64; 2]>,
-    /// By the choice at the first end, then by that at the second.
+    /// Indexed by the choice at the first end, then by the choice at the second.
     pairwise: Vec<[[f64; 2]; 2]>,
 }
 
 impl MetricModel {
-    /// A labeling of labels of `a` and `b`, variable by variable, whose energy is no higher than that of either. The lowest such one
-    /// is not guaranteed.
+    /// Combines `a` and `b`, variable by variable, into a labeling whose energy is no higher than that of either. It is
+    /// not guaranteed to be the lowest such labeling.
     ///
     /// Cost `O(n + edges)` for each of a fixed number of iterations.
     pub fn fused(&self, a: &[u32], b: &[u32]) -> Labeling {
@@ -44,11 +46,11 @@ impl MetricModel {
         chosen.iter().enumerate().map(|(i, &k)| [a, b][k][i]).collect()
     }
 
-    /// The lowest labeling that fusing `labelings` one after another leads to, followed by conditional modes over all labels
-    /// for up to `sweeps`; over and over until the energy falls no more. It begins with the one of the lowest energy, the first of equal
-    /// ones. `None` of none.
+    /// Fuses `labelings` one after another, followed by up to `sweeps` of conditional modes over all labels, and
+    /// repeats this until the energy stops falling. Starts from the labeling of lowest energy; ties go to the first.
+    /// `None` if `labelings` is empty.
     ///
-    /// Cost `O(labelings · edges + sweeps · K · edges)` a pass.
+    /// Cost `O(labelings · edges + sweeps · K · edges)` per pass.
     pub fn fused_of_all(&self, labelings: &[Labeling], sweeps: usize) -> Option<Labeling> {
         let energy = |x: &Labeling| self.energy(x).total();
         let mut best = labelings.iter().min_by(|a, b| energy(a).total_cmp(&energy(b)))?.clone();
@@ -58,7 +60,7 @@ impl MetricModel {
                 best = self.fused(&best, other);
             }
             best = self.descend(best, sweeps);
-            // Energies are sums in a fixed order, so a labeling that has not changed has the same energy to the bit.
+            // Energies are sums in a fixed order, so an unchanged labeling has the same energy to the bit.
             if energy(&best) >= before {
                 return Some(best);
             }
@@ -82,15 +84,15 @@ impl MetricModel {
         }
     }
 
-    /// What belief propagation from messages of zero chooses, all messages at once.
+    /// The choices of belief propagation from messages of zero, updating all messages at once.
     fn choice_by_propagation(&self, choice: &Choice) -> Vec<usize> {
-        // A message is how much more the second choice costs than the first.
+        // A message is the additional cost of the second choice over the first.
         let mut messages = vec![[0.0f64; 2]; self.edges.len()];
         let mut beliefs = choice.beliefs(self, &messages);
         for _ in 0..ITERATIONS {
             for ((edge, costs), message) in self.edges.iter().zip(&choice.pairwise).zip(&mut messages) {
                 let [from_first, from_second] = *message;
-                // The cavity of an end is its belief without what it was told along this edge.
+                // The cavity of an end is its belief without the message received along this edge.
                 let first = beliefs[edge.ends[0] as usize] - from_second;
                 let second = beliefs[edge.ends[1] as usize] - from_first;
                 let sent = |cost: [f64; 2], cavity: f64| cost[0].min(cost[1] + cavity);
@@ -106,7 +108,7 @@ impl MetricModel {
         beliefs.iter().map(|&more| usize::from(more < 0.0)).collect()
     }
 
-    /// Conditional modes of `chosen`: variables in turn, until none changes. The energy falls with every change.
+    /// Conditional modes of `chosen`: variables in turn, until none changes. Every change lowers the energy.
     fn settled(&self, choice: &Choice, mut chosen: Vec<usize>) -> Vec<usize> {
         for _ in 0..SWEEPS {
             let mut changed = false;
@@ -134,7 +136,7 @@ impl MetricModel {
 }
 
 impl Choice {
-    /// How much more the second choice costs each variable than the first, with all `messages`.
+    /// The additional cost of the second choice over the first for each variable, with all `messages`.
     fn beliefs(&self, model: &MetricModel, messages: &[[f64; 2]]) -> Vec<f64> {
         let mut beliefs: Vec<f64> = self.unary.iter().map(|[first, second]| second - first).collect();
         for (edge, [to_second, to_first]) in model.edges.iter().zip(messages) {

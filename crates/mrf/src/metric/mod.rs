@@ -1,17 +1,17 @@
-//! A Markov random field whose pairwise potential compares distances, between any two labels.
+//! A Markov random field whose pairwise potential compares the distances of any two labels.
 //!
 //! ```text
 //! E(x) = Σ_i θ_i(x_i) + Σ_{ij ∈ edges} min(w_ij (d'(x_i, x_j) − ℓ_ij)², T)          lower is better, no unit
 //! ```
 //!
-//! An edge may join any two variables, near or far; its potential is a truncated Gaussian log-likelihood of the distance
-//! `d'` of the two labels, given the distance `ℓ_ij` of the two variables. Where [`crate::MrfModel`] asks neighbors to stay
-//! neighbors, this asks all distances to be kept: variables that collapse on one label pay for it on every edge, and far
-//! edges hold the whole together. The price is a message of `K²` operations instead of `K · k̄`, so belief
-//! propagation looks at a few active labels of each variable, which its beliefs revise.
+//! An edge may join any two variables, near or far. Its potential is a truncated Gaussian log-likelihood of the
+//! distance `d'` of the two labels, given the distance `ℓ_ij` of the two variables. [`crate::MrfModel`] asks neighbors
+//! to stay neighbors; this model asks all distances to be kept: variables that collapse on one label pay for it on
+//! every edge, and far edges hold the whole together. A message costs `K²` operations instead of `K · k̄`, so belief
+//! propagation considers a few active labels of each variable, which its beliefs revise.
 //!
-//! [`MetricModel::propagate`] is belief propagation over some labels of each variable, [`MetricModel::descend`] iterated conditional modes from a labeling,
-//! [`MetricModel::fused`] puts two labelings together, variable by variable.
+//! [`MetricModel::propagate`] is belief propagation over some labels of each variable. [`MetricModel::descend`] runs
+//! iterated conditional modes from a labeling. [`MetricModel::fused`] combines two labelings, variable by variable.
 //!
 //! Sources: Pearl 1988 (max-product); Besag, "On the statistical analysis of dirty pictures", 1986 (conditional modes);
 //! Anguelov et al., "The correlated correspondence algorithm for unsupervised registration of nonrigid surfaces", NIPS 2004
@@ -37,13 +37,13 @@ pub struct MetricEdge {
     pub weight: f32,
 }
 
-/// The energy. Immutable while it is minimised.
+/// The energy. Immutable while it is minimized.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MetricModel {
     n_variables: usize,
     n_labels: usize,
     edges: Vec<MetricEdge>,
-    /// For each variable the edges that it is an end of.
+    /// For each variable its edges.
     edges_of: Vec<Vec<u32>>,
     /// `d'`, row by row.
     distances: Vec<f32>,
@@ -73,10 +73,10 @@ impl MetricModel {
         MetricModel { n_variables, n_labels, edges, edges_of, distances, unary, truncation }
     }
 
-    /// The same with other unary potentials.
+    /// The same model with other unary potentials.
     ///
     /// # Panics
-    /// If they have another shape.
+    /// If `unary` has another shape.
     #[must_use]
     pub fn with_unary(&self, unary: Vec<f32>) -> Self {
         assert_eq!(unary.len(), self.unary.len(), "a unary potential for each variable and label");
@@ -103,7 +103,8 @@ impl MetricModel {
         Energy { unary, pairwise: self.edges.iter().map(pairwise).sum() }
     }
 
-    /// What each variable has of the energy: its unary term and half of the terms of its edges. Cost `O(n + edges)`.
+    /// The share of each variable in the energy: its unary term and half of the terms of its edges. Cost `O(n +
+    /// edges)`.
     pub fn shares(&self, labeling: &[u32]) -> Vec<f64> {
         let mut shares: Vec<f64> =
             labeling.iter().enumerate().map(|(i, &x)| f64::from(self.unary_row(i)[x as usize])).collect();
@@ -115,7 +116,7 @@ impl MetricModel {
         shares
     }
 
-    /// Number of edges whose distances differ by so much that they cost the truncation.
+    /// Number of edges that cost the truncation because their distances differ too much.
     pub fn truncated_edges(&self, labeling: &[u32]) -> usize {
         let is_truncated = |edge: &&MetricEdge| {
             let [x, y] = edge.ends.map(|i| labeling[i as usize]);
@@ -124,7 +125,7 @@ impl MetricModel {
         self.edges.iter().filter(is_truncated).count()
     }
 
-    /// What each label would cost `variable` while all others keep theirs. Cost `O(K · degree)`.
+    /// The cost of each label for `variable` while all others keep theirs. Cost `O(K · degree)`.
     pub fn conditional(&self, variable: usize, labeling: &[u32]) -> Vec<f32> {
         let mut cost = self.unary_row(variable).to_vec();
         for &edge in &self.edges_of[variable] {
@@ -137,8 +138,8 @@ impl MetricModel {
         cost
     }
 
-    /// Iterated conditional modes: variables in turn take the label that costs least, the lowest of equal ones, until none
-    /// changes or `sweeps` are over. The energy never rises. Cost `O(sweeps · K · edges)`.
+    /// Iterated conditional modes: variables in turn take the label that costs least (ties go to the lowest), until
+    /// none changes or `sweeps` are over. The energy never rises. Cost `O(sweeps · K · edges)`.
     pub fn descend(&self, mut labeling: Labeling, sweeps: usize) -> Labeling {
         for _ in 0..sweeps {
             let mut changed = false;
@@ -157,7 +158,7 @@ impl MetricModel {
         labeling
     }
 
-    /// The labeling that every unary potential prefers alone; the lowest label where two are equal.
+    /// The labeling of the lowest unary potentials; ties go to the lowest label.
     pub fn unary_minimum(&self) -> Labeling {
         (0..self.n_variables).map(|i| lowest(self.unary_row(i)) as u32).collect()
     }
@@ -177,7 +178,7 @@ impl MetricModel {
     }
 }
 
-/// Index of the lowest number, the first of equal ones.
+/// Index of the lowest number; ties go to the first.
 fn lowest(cost: &[f32]) -> usize {
     (0..cost.len()).fold(0, |best, x| if cost[x] < cost[best] { x } else { best })
 }

@@ -17,7 +17,7 @@ pub(super) fn random_model(seed: u64, n: usize, k: usize, pairs: &[[u32; 2]]) ->
     MetricModel::new(distances, unary, edges.collect(), 2.0)
 }
 
-/// The energy as it is written.
+/// The energy by definition.
 fn energy_by_definition(model: &MetricModel, x: &[u32]) -> f64 {
     let k = model.n_labels;
     let unary: f64 = x.iter().enumerate().map(|(i, &x)| f64::from(model.unary[i * k + x as usize])).sum();
@@ -33,8 +33,8 @@ pub(super) fn all_labelings(n: usize, k: usize) -> impl Iterator<Item = Labeling
     (0..k.pow(n as u32)).map(move |code| (0..n).map(|i| (code / k.pow(i as u32) % k) as u32).collect())
 }
 
-/// Max-product belief propagation over all labels as it is written, in negative logarithms, from messages of zero: the labels that are preferred
-/// after some iterations, all messages at once.
+/// Max-product belief propagation over all labels by definition, in negative logarithms, from messages of zero, with
+/// all messages updated at once: the preferred labels after some iterations.
 pub(super) fn max_product_by_definition(model: &MetricModel, iterations: usize) -> Labeling {
     let k = model.n_labels;
     let directed: Vec<(usize, usize, &MetricEdge)> = model
@@ -66,7 +66,7 @@ fn least_energy(model: &MetricModel) -> f64 {
     all_labelings(model.n_variables(), model.n_labels()).map(|x| model.energy(&x).total()).fold(f64::INFINITY, f64::min)
 }
 
-/// So many iterations of undamped max-product.
+/// Options of undamped max-product with this number of iterations.
 fn exhaustive(iterations: u32) -> ActiveOptions {
     ActiveOptions { semiring: Semiring::Max, iterations, damping: 0.0, tolerance: 0.0 }
 }
@@ -168,7 +168,7 @@ proptest! {
     }
 }
 
-/// The lowest energy of all labelings whose every label is that of `a` or of `b`.
+/// The lowest energy of all labelings that take every label from `a` or from `b`.
 fn least_of_choices(model: &MetricModel, a: &[u32], b: &[u32]) -> f64 {
     let choice = |code: usize| -> Labeling { (0..a.len()).map(|i| [a, b][code >> i & 1][i]).collect() };
     (0..1 << a.len()).map(|code| model.energy(&choice(code)).total()).fold(f64::INFINITY, f64::min)

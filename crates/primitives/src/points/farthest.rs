@@ -1,17 +1,17 @@
 //! Farthest-point sampling: a subset that covers a set of points evenly.
 //!
-//! A new sample changes the distances only of the points that lie closer to it than to every earlier sample, which soon
-//! are few. Points are therefore processed in blocks of consecutive indices, each with its bounding box and its largest
-//! distance, and a block is skipped when its box is farther from the new sample than that distance. The result equals
-//! that of the plain method to the bit, for any order of the points; most blocks are skipped when points that are close
-//! in space have close indices.
+//! A new sample changes the distances of only those points that lie closer to it than to every earlier sample, and
+//! these soon become few. Points are therefore processed in blocks of consecutive indices, each with its bounding box
+//! and its largest distance. A block is skipped when its box is farther from the new sample than that distance. The
+//! result equals the plain method to the bit, for any order of the points. Most blocks are skipped when points that are
+//! close in space have close indices.
 //!
 //! Source: Gonzalez, "Clustering to minimize the maximum intercluster distance", 1985: no point is more than twice as
-//! far from its nearest sample as with the best choice of equally many.
+//! far from its nearest sample as with the best choice of the same number of samples.
 
 use nalgebra::{Point3, Vector3};
 
-/// Points of a block: enough that skipping it saves work, few enough that its box is small.
+/// Points per block: enough that skipping a block saves work, few enough that its box is small.
 const BLOCK: usize = 32;
 
 /// Consecutive points, with their squared distances from the nearest sample.
@@ -20,9 +20,9 @@ struct Block<'a> {
     low: Point3<f64>,
     high: Point3<f64>,
     squared: Vec<f64>,
-    /// The nearest sample, the first of equally near ones.
+    /// Number of the nearest sample for each point; ties go to the earliest.
     nearest: Vec<u32>,
-    /// Index within the block of the point farthest from all samples; the lowest of equally far ones.
+    /// Index within the block of the point farthest from all samples; ties go to the lowest index.
     farthest: usize,
 }
 
@@ -37,8 +37,8 @@ impl<'a> Block<'a> {
         self.squared[self.farthest]
     }
 
-    /// Squared distance of the bounding box from `at`. It uses the operations of the point distances, each of which
-    /// rounds monotonically, so it exceeds none of them even after rounding.
+    /// Squared distance of the bounding box from `at`. It uses the same operations as the point distances. Each rounds
+    /// monotonically, so the result exceeds none of them even after rounding.
     fn gap_squared(&self, at: &Point3<f64>) -> f64 {
         (self.low - at).sup(&(at - self.high)).sup(&Vector3::zeros()).norm_squared()
     }
@@ -58,13 +58,13 @@ impl<'a> Block<'a> {
     }
 }
 
-/// The index of the largest value; the lowest of equal ones.
+/// The index of the largest value; ties go to the lowest index.
 fn first_largest(values: impl Iterator<Item = f64>) -> usize {
     let largest = values.enumerate().reduce(|best, next| if next.1 > best.1 { next } else { best });
     largest.map_or(0, |(index, _)| index)
 }
 
-/// Farthest-point sampling that can be continued: the first samples of a large sample are a small sample.
+/// Farthest-point sampling that can be continued: the first samples of a large sample form a small sample.
 pub struct FarthestPoints<'a> {
     points: &'a [Point3<f64>],
     start: Point3<f64>,
@@ -79,8 +79,8 @@ impl<'a> FarthestPoints<'a> {
         FarthestPoints { points, start, blocks: points.chunks(BLOCK).map(Block::new).collect(), samples: Vec::new() }
     }
 
-    /// Adds samples until there are `n`, each the point farthest from all samples before it, of equally far points the
-    /// one with the lowest index. Ends early when every point coincides with a sample.
+    /// Adds samples until there are `n`. Each is the point farthest from all samples before it; ties go to the lowest
+    /// index. Ends early when every point coincides with a sample.
     ///
     /// # Cost
     /// A sample costs `O(points / 32)` when points that are close in space have close indices, `O(points)` at most.
@@ -106,8 +106,7 @@ impl<'a> FarthestPoints<'a> {
         &self.samples
     }
 
-    /// For every point the position in [`Self::samples`] of the sample nearest to it, the earliest of equally near
-    /// ones.
+    /// For every point the position in [`Self::samples`] of its nearest sample; ties go to the earliest sample.
     pub fn nearest_samples(&self) -> impl Iterator<Item = usize> + '_ {
         self.blocks.iter().flat_map(|block| block.nearest.iter().map(|&sample| sample as usize))
     }

@@ -1,5 +1,5 @@
-//! Sets of points in space: an even sample of them ([`FarthestPoints`], [`farthest_points`]) and all neighbors within a
-//! radius ([`NeighborGrid`]). Lengths in mm.
+//! Sets of points in space: an even sample ([`FarthestPoints`], [`farthest_points`]) and all neighbors within a radius
+//! ([`NeighborGrid`]). Lengths in mm.
 
 mod farthest;
 mod neighbors;

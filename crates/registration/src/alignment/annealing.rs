@@ -10,7 +10,7 @@ pub fn progress_to_end(step: u32, steps: u32) -> f64 {
     f64::from(step) / f64::from(steps.saturating_sub(1).max(1))
 }
 
-/// Progress at `step` (from 0) of `steps > 0` when the end value is left to what follows the last step: the evaluation
+/// Progress at `step` (from 0) of `steps > 0` if the end value is reserved for the step after the last: the evaluation
 /// of the result, or the next stage.
 pub fn progress_short_of_end(step: u32, steps: u32) -> f64 {
     f64::from(step) / f64::from(steps)

@@ -1,14 +1,14 @@
 //! Soft assignment with a kernel of compact support, between all pairs of two small sets of patches; see [`super`].
 //!
-//! `g_ij = (1 − ‖p_i − q_j‖² / 8σ²)⁴₊ · ⟨n_i, n_j⟩₊ / (1 + ¼ π ‖f_i − f_j‖²)²`. Both surfaces play the parts of points
-//! and of mixture components, so that swapping them gives the inverse transform.
+//! The affinity is `g_ij = (1 − ‖p_i − q_j‖² / 8σ²)⁴₊ · ⟨n_i, n_j⟩₊ / (1 + ¼ π ‖f_i − f_j‖²)²`. Each surface serves
+//! both as points and as mixture components, so that swapping them gives the inverse transform.
 
 use super::{LANES, LanePoint, Lanes, OUTLIER_SHARE, OrientedPoint, PackedPoints};
 use super::{flat_density, mean_misfit, normal_agreements, squared_distances};
 use multiversion::multiversion;
 use nalgebra::{Point3, Vector3};
 
-/// Features of every point; a constant, so that the loop over them is unrolled.
+/// Number of features of every point; a constant, so that the loop over them is unrolled.
 pub(crate) const N_FEATURES: usize = 4;
 /// A quarter of the precision `π` of features whose variance over the surface is 1. Of 40 warps of 8 % of the diagonal,
 /// real and synthetic, 38 ended within 10° with a precision of 1 and 34 with 0.3; pairs of real subjects, whose
@@ -31,7 +31,7 @@ impl CompactTarget {
     }
 }
 
-/// Assignment to a [`CompactTarget`]: scratch memory that is reused from step to step.
+/// Assignment to a [`CompactTarget`], with scratch memory that is reused between steps.
 #[derive(Default)]
 pub(crate) struct CompactAssignment {
     /// `g_ij`, a row per source point.
@@ -42,14 +42,14 @@ pub(crate) struct CompactAssignment {
     target_density: Vec<Lanes>,
     targets: Vec<Point3<f64>>,
     weights: Vec<f64>,
-    /// `w_ij` of the source point at hand.
+    /// `w_ij` of the current source point.
     shares: Vec<Lanes>,
-    /// Of the source point at hand.
+    /// Features of the current source point.
     features: Vec<f32>,
 }
 
 impl CompactAssignment {
-    /// Computes the affinities of `source`, where it has been moved to, with `target` and returns the misfit.
+    /// Computes the affinities of the moved `source` with `target`, and returns the misfit.
     ///
     /// `sigma_mm`: the kernel width `σ`. Cost `O(n n')`.
     pub(crate) fn misfit<'p>(
@@ -76,8 +76,8 @@ impl CompactAssignment {
         0.5 * (of_source + of_target)
     }
 
-    /// After [`Self::misfit`] with the same arguments: the mean of the target points assigned to each source point, mm,
-    /// and its mass times the point's area, mm².
+    /// Call after [`Self::misfit`] with the same arguments. For each source point: the mean of its assigned target
+    /// points, mm, and its mass times its area, mm².
     pub(crate) fn means<'p>(
         &mut self,
         source: impl Iterator<Item = OrientedPoint<'p>>,
@@ -106,7 +106,7 @@ impl CompactAssignment {
     }
 }
 
-/// Writes `g_ij` for one `i` to `row`, adds `a_i g_ij` to `target_density`, returns `Σ_j a_j g_ij`.
+/// Writes `g_ij` for one `i` to `row`, adds `a_i g_ij` to `target_density`, and returns `Σ_j a_j g_ij`.
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn affinity_row(
@@ -165,7 +165,7 @@ fn weighted_sums(
         }
     }
     let mut sums = [mass; 4];
-    // One axis after the other, so that its sum stays in registers.
+    // One axis after the other keeps each sum in registers.
     for (axis, found) in sums[1..].iter_mut().enumerate() {
         let mut sum = [0.0f32; LANES];
         for (block, weight) in target.blocks.iter().zip(weights.iter()) {

@@ -15,10 +15,10 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The kernel is cut off at this many standard deviations; the rest weighs about 1 %.
+/// Cutoff of the kernel, standard deviations; the rest weighs about 1 %.
 const REACH: f64 = 3.0;
 
-/// How affinity falls off with distance, angle of normals and difference of features.
+/// Decrease of the affinity with distance, angle of normals and difference of features.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AssignmentKernel {
     /// Width `σ`, mm.
@@ -31,7 +31,7 @@ pub struct AssignmentKernel {
     pub outlier_share: f64,
 }
 
-/// What every source point is assigned to.
+/// Result of an assignment for every source point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assignment {
     /// Mean of the assigned target points, weighted by responsibility, mm; the source point itself where the mass is 0.
@@ -52,7 +52,7 @@ pub struct AssignmentTarget {
 }
 
 impl AssignmentTarget {
-    /// `target`, whose points have as many features each as the kernels of the assignments.
+    /// `target`, whose points have as many features as the kernels of the assignments.
     pub fn new(target: &OrientedPoints<'_>) -> Self {
         let n = target.points.len();
         let n_features = target.features.len() / n.max(1);
@@ -68,11 +68,11 @@ impl AssignmentTarget {
 }
 
 /// Assigns `target` to `source`, which has been moved close to it. Affinities are 32-bit numbers with relative errors
-/// of about 1e-6. Sums are taken in the order of the points, so any number of threads gives the same bits.
+/// of about 1e-6. Sums follow the order of the points, so any number of threads gives the same bits.
 ///
 /// # Cost
-/// `O(pairs within reach)` in time and memory when target points that are close in space have close indices, as in
-/// canonical numbering; `O(pairs)` in time at most.
+/// `O(pairs within reach)` in time and memory if target points that are close in space have close indices, as in
+/// canonical numbering; at most `O(pairs)` in time.
 pub fn assign(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &AssignmentKernel) -> Assignment {
     let affinities = Affinities::new(target, kernel);
     let rows = affinities.all_rows(source);
@@ -105,8 +105,8 @@ pub fn assign(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
     }
 }
 
-/// Misfit of `source`, which has been moved close to `target`: mean over both surfaces of `−ln` of the density relative to a
-/// flat match; lower is better. The same bits on any number of threads; cost that of [`assign`].
+/// Misfit of `source`, which has been moved close to `target`: the mean over both surfaces of `−ln` of the density
+/// relative to a flat match; lower is better. Any number of threads gives the same bits; costs as much as [`assign`].
 pub fn misfit(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &AssignmentKernel) -> f64 {
     let affinities = Affinities::new(target, kernel);
     let rows = affinities.all_rows(source);
@@ -118,13 +118,13 @@ pub fn misfit(source: &OrientedPoints<'_>, target: &AssignmentTarget, kernel: &A
 /// The terms of [`misfit`]: `−ln` of the density relative to a flat match at each point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointMisfits {
-    /// At each point of the source.
+    /// Terms at the points of the source.
     pub of_source: Vec<f64>,
-    /// At each point of the target.
+    /// Terms at the points of the target.
     pub of_target: Vec<f64>,
 }
 
-/// The terms whose means over the areas of both surfaces are [`misfit`]. Cost that of [`assign`].
+/// The terms whose means over the areas of both surfaces are [`misfit`]. Costs as much as [`assign`].
 pub fn point_misfits(
     source: &OrientedPoints<'_>,
     target: &AssignmentTarget,
@@ -140,7 +140,7 @@ pub fn point_misfits(
     PointMisfits { of_source: of_source.map(|d| -d.ln()).collect(), of_target: of_target.map(|d| -d.ln()).collect() }
 }
 
-/// The same from the affinities of the source points and the densities of the target points.
+/// The terms from the affinities of the source points and the densities of the target points.
 fn misfit_of(
     source: &OrientedPoints<'_>,
     target: &AssignmentTarget,
@@ -174,14 +174,14 @@ struct Affinities<'t> {
     half_precision: Vec<f32>,
 }
 
-/// Source points whose affinities are kept side by side: few allocations, and enough chunks for many threads.
+/// Source points per chunk of affinities: few allocations, and enough chunks for many threads.
 const ROWS: usize = 32;
 
 /// The affinities of some consecutive source points.
 struct Rows {
     /// The source points.
     points: Range<usize>,
-    /// For each of them the end of its blocks.
+    /// End of the blocks of each source point.
     ends: Vec<usize>,
     /// Blocks within reach, point by point.
     blocks: Vec<u32>,
@@ -198,7 +198,7 @@ struct Row<'a> {
 }
 
 impl Rows {
-    /// Point by point.
+    /// The rows, point by point.
     fn iter(&self) -> impl Iterator<Item = Row<'_>> {
         let mut start = 0;
         self.ends.iter().map(move |&end| {
@@ -208,12 +208,12 @@ impl Rows {
     }
 }
 
-/// What some consecutive source points are assigned to.
+/// Assignments of consecutive source points.
 struct Means {
     mass: Vec<f64>,
     /// From each source point to the mean of its target points, mm.
     offsets: Vec<Vector3<f64>>,
-    /// Variance of each feature, times the mass; point by point.
+    /// Variance of each feature times the mass, point by point.
     feature_variance: Vec<f64>,
 }
 
@@ -256,7 +256,7 @@ impl<'t> Affinities<'t> {
         for i in points {
             let point = self.lane_point(source, i, &mut features);
             distances_from_boxes(self.boxes, &point.position, &mut squared);
-            // Whether a block is within reach is hard to predict: it is written in any case, and counted if it is.
+            // Whether a block is within reach is hard to predict, so it is always written, and counted only if it is.
             let mut n_within = 0;
             for (b, &squared) in squared.iter().enumerate() {
                 within[n_within] = b as u32;
@@ -265,7 +265,7 @@ impl<'t> Affinities<'t> {
             let start = rows.blocks.len();
             let end = start + n_within;
             if rows.affinity.capacity() < end {
-                // The neighbors of the first point in a chunk tell how many the others have.
+                // The neighbors of the first point in a chunk estimate the number for the others.
                 rows.affinity.reserve(n_within * (rows.ends.capacity() - rows.ends.len()));
             }
             rows.blocks.extend_from_slice(&within[..n_within]);
@@ -375,9 +375,9 @@ fn add_scaled(blocks: &[u32], affinity: &[Lanes], area: f32, sums: &mut [Lanes])
     }
 }
 
-/// Sums over the points of `row`, each weighted by its affinity times its share: of 1, of the offset from `point` along
-/// each axis, and of the squared difference of each feature. `weights` is scratch memory, one entry per block of the
-/// row.
+/// Sums over the points of `row`, each weighted by its affinity times its share. The summands are 1, the offset from
+/// `point` along each axis, and the squared difference of each feature. `weights` is scratch memory, one entry per
+/// block of the row.
 #[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn weighted_sums(
@@ -397,7 +397,7 @@ fn weighted_sums(
         }
     }
     sums[0] = mass;
-    // One quantity after the other, so that its sum stays in registers; all axes together are shuffled through memory.
+    // One quantity after the other keeps each sum in registers; all axes together would be shuffled through memory.
     for (a, &own) in point.position.iter().enumerate() {
         let mut sum = [0.0f32; LANES];
         for (&b, weight) in row.blocks.iter().zip(weights.iter()) {

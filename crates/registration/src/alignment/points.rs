@@ -2,17 +2,17 @@
 
 use nalgebra::{Point3, Vector3};
 
-/// Points of a surface with what is known at each; slices of equal length.
+/// Points of a surface with their attributes, as slices of equal length.
 #[derive(Debug, Clone, Copy)]
 pub struct OrientedPoints<'a> {
     /// Positions, mm.
     pub points: &'a [Point3<f64>],
     /// Unit normals, all outwards or all inwards.
     pub normals: &'a [Vector3<f64>],
-    /// Area that each point stands for, mm².
+    /// Area that each point represents, mm².
     pub areas: &'a [f64],
-    /// Features, `n × n_features`, one row per point. May be empty for [`crate::pose_search()`], which then
-    /// computes its own.
+    /// Features, `n × n_features`, one row per point. May be empty for [`crate::pose_search()`], which then computes
+    /// its own features.
     pub features: &'a [f64],
 }
 
@@ -36,9 +36,9 @@ pub(crate) struct OrientedPoint<'a> {
     pub features: &'a [f64],
 }
 
-/// Points of a block: the numbers that are computed side by side.
+/// Points per block; they are computed side by side.
 pub(super) const LANES: usize = 16;
-/// Position of lanes without a point, mm: out of reach of every point, and its square is finite in 32 bits.
+/// Position of empty lanes, mm: out of reach of every point, and its square is finite in 32 bits.
 const NOWHERE: f32 = 1e15;
 
 /// One number for each point of a block.
@@ -53,19 +53,19 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// Coordinate `axis` of the points that exist.
+    /// Coordinate `axis` of the actual points.
     pub(super) fn coordinates(&self, axis: usize) -> impl Iterator<Item = f32> {
         self.position[axis].into_iter().filter(|&x| x < NOWHERE)
     }
 }
 
-/// Points in blocks. The last block is filled up with points that are nowhere and have no area.
+/// Points in blocks. The last block is padded with points at [`NOWHERE`] without area.
 pub(crate) struct PackedPoints {
     pub(super) blocks: Vec<Block>,
-    /// Block by block, feature by feature.
+    /// Features, block by block.
     pub(super) features: Vec<Lanes>,
     pub(super) n_features: usize,
-    /// Positions are relative to this, so that 32 bits resolve the differences of coordinates far from 0.
+    /// Origin of the positions, chosen so that 32 bits resolve differences of coordinates far from 0.
     origin: Vector3<f64>,
 }
 
@@ -101,7 +101,7 @@ impl PackedPoints {
     }
 }
 
-/// One point of the other surface, in the numbers of the blocks it is compared with.
+/// One point of the other surface, in the number format of the blocks it is compared with.
 pub(super) struct LanePoint<'a> {
     pub position: [f32; 3],
     pub normal: [f32; 3],
@@ -125,7 +125,7 @@ impl<'a> LanePoint<'a> {
 }
 
 /// Squared distance of each point of `block` from `at`.
-// A loop for each quantity: in one loop the compiler pairs the components of a point instead of the points.
+// Each quantity has its own loop: in one loop the compiler would pair the components of a point instead of the points.
 #[inline(always)]
 pub(super) fn squared_distances(block: &Block, at: &[f32; 3]) -> Lanes {
     let [x, y, z] = &block.position;

@@ -42,7 +42,7 @@ proptest! {
                 prop_assert_eq!(found.targets[i], *point);
             }
         }
-        // No more of the target is assigned than there is.
+        // The assigned part of the target does not exceed the whole.
         let assigned: f64 = (0..n).map(|i| found.mass[i] * ap[i]).sum();
         prop_assert!(assigned <= aq.iter().sum::<f64>() * (1.0 + 1e-5));
     }

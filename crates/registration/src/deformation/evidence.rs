@@ -1,9 +1,9 @@
-//! How narrow a displacement field has to be: the kernel under which residual heights are most probable.
+//! The required width of a displacement field: the kernel under which residual heights are most probable.
 //!
-//! A field `v` with kernel `s² exp(−‖p − q‖² / 2w²)` on every axis moves a point along its normal by `n·v`, which has the
-//! covariance `s² k(p, q) ⟨n, n'⟩`. With independent noise of variance `σ²` the heights `h` of points over a surface have
-//! the marginal likelihood `N(h; 0, s² K + σ² I)`. For one width, one tridiagonal form of `K` gives it for all `s` and
-//! `σ`; `σ²` has its maximum in closed form for each ratio `s² / σ²`.
+//! A field `v` with kernel `s² exp(−‖p − q‖² / 2w²)` on every axis moves a point along its normal by `n·v`, which has
+//! the covariance `s² k(p, q) ⟨n, n'⟩`. With independent noise of variance `σ²` the heights `h` of points over a
+//! surface have the marginal likelihood `N(h; 0, s² K + σ² I)`. For one width, a single tridiagonal form of `K` gives
+//! it for all `s` and `σ`; `σ²` has its maximum in closed form for each ratio `s² / σ²`.
 //!
 //! Source: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006, section 5.4 (model selection by the
 //! marginal likelihood).
@@ -20,7 +20,7 @@ use faer::{Conj, Mat, Par, Spec};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// The least ratio `s² / σ²` that is tried, as a power of two.
+/// Smallest ratio `s² / σ²` that is tried, as a power of two.
 const LEAST_RATIO: i32 = -4;
 
 /// The most probable kernel of a displacement field.
@@ -30,12 +30,13 @@ pub struct KernelEvidence {
     pub kernel: GaussianKernel,
     /// Standard deviation `σ` of the noise, mm.
     pub noise_mm: f64,
-    /// Logarithm of the marginal likelihood, minus that of noise alone. At most 0 where a field explains nothing.
+    /// Logarithm of the marginal likelihood, minus that of noise alone. At most 0 if a field explains nothing.
     pub gain: f64,
 }
 
-/// The kernel, of the given widths (mm), under which `heights` (mm) along unit `normals` at `points` are most probable. Ratios `s² / σ²` up to
-/// two to the power of `largest_ratio` are tried. `None` without points or widths, where all heights are 0, or where a number is not finite.
+/// The kernel, among the given widths (mm), under which `heights` (mm) along unit `normals` at `points` are most
+/// probable. Ratios `s² / σ²` up to two to the power of `largest_ratio` are tried. `None` without points or widths, if
+/// all heights are 0, or if a number is not finite.
 ///
 /// # Cost
 /// `O(widths · points³)`; widths on all threads.
@@ -68,7 +69,7 @@ pub fn most_probable_kernel(
     found.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))
 }
 
-/// The lower triangle of the covariance of the heights of a field of this width and variance 1.
+/// The lower triangle of the covariance of the heights of a field with this width and variance 1.
 fn covariance(points: &[Point3<f64>], normals: &[Vector3<f64>], width_mm: f64) -> Mat<f64> {
     let scale = -0.5 / (width_mm * width_mm);
     Mat::from_fn(points.len(), points.len(), |i, j| {
@@ -76,17 +77,17 @@ fn covariance(points: &[Point3<f64>], normals: &[Vector3<f64>], width_mm: f64) -
     })
 }
 
-/// A symmetric matrix `K = Q T Qᵀ` with tridiagonal `T`, and `Qᵀ h` for a vector `h`: all that the marginal likelihood for any
-/// ratio of variances takes, at a fraction of the cost of eigenvectors.
+/// A symmetric matrix `K = Q T Qᵀ` with tridiagonal `T`, and `Qᵀ h` for a vector `h`. They suffice for the marginal
+/// likelihood for any ratio of variances, at a fraction of the cost of eigenvectors.
 struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// Below it.
+    /// The entries below the diagonal.
     off: Vec<f64>,
     turned: Vec<f64>,
 }
 
 impl Tridiagonal {
-    /// That of the matrix with this lower triangle, for `h`. Cost `O(n³)`.
+    /// The form of the matrix with this lower triangle, for `h`. Cost `O(n³)`.
     fn of(mut matrix: Mat<f64>, h: &[f64]) -> Tridiagonal {
         let n = h.len();
         let mut turned = Mat::from_fn(n, 1, |i, _| h[i]);
@@ -118,7 +119,7 @@ impl Tridiagonal {
     /// `ln det (I + ratio K)` and `hᵀ (I + ratio K)⁻¹ h`, for `K` without negative eigenvalues. Cost `O(n)`.
     fn measured(&self, ratio: f64) -> (f64, f64) {
         let (mut log_determinant, mut squares) = (0.0, 0.0);
-        // L D Lᵀ of the tridiagonal matrix; no eigenvalue, and so no pivot, is below 1 but for rounding.
+        // L D Lᵀ of the tridiagonal matrix; no eigenvalue, and so no pivot, is below 1 except by rounding.
         let (mut pivot, mut solved) = (1.0, 0.0);
         for (i, diagonal) in self.diagonal.iter().enumerate() {
             let off = if i == 0 { 0.0 } else { ratio * self.off[i - 1] };

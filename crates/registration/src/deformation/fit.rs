@@ -6,7 +6,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Accum, Col, Mat, MatRef, Par, Side, unzip, zip};
 use nalgebra::{Matrix3, Vector3};
 
-/// An observed displacement at one point, with Gaussian noise that differs along a normal and across it.
+/// An observed displacement at one point, with Gaussian noise that differs along and across a normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Observation {
     /// Displacement, mm.
@@ -15,7 +15,7 @@ pub struct Observation {
     pub normal: Vector3<f64>,
     /// Precision along the normal, 1/mm².
     pub along: f64,
-    /// Precision across it, 1/mm².
+    /// Precision across the normal, 1/mm².
     pub across: f64,
 }
 
@@ -33,15 +33,16 @@ impl Observation {
 /// The posterior mean of a field.
 #[derive(Debug, Clone)]
 pub struct FittedField {
-    /// `M × 3`.
+    /// Coefficients, `M × 3`.
     pub coefficients: Mat<f64>,
 }
 
-/// The posterior mean of the field. `values`: every function at every point, `n × M` (see [`super::FieldBasis::values`]);
-/// `observations`: one for each point. `None` if the system cannot be solved because a number is not finite.
+/// The posterior mean of the field. `values`: every function at every point, `n × M` (see
+/// [`super::FieldBasis::values`]); `observations`: one per point. `None` if the system cannot be solved because a
+/// number is not finite.
 ///
 /// # Cost
-/// `O(n M² + M³)`; isotropic observations share one `M × M` system between the axes instead of a `3M × 3M` one.
+/// `O(n M² + M³)`; with isotropic observations the axes share one `M × M` system instead of a `3M × 3M` system.
 pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Option<FittedField> {
     let (n, m) = (values.nrows(), values.ncols());
     let precision: Vec<Matrix3<f64>> = observations.iter().map(Observation::precision).collect();

@@ -1,8 +1,9 @@
-//! The normal equations of a field whose observations have one precision along a normal and another across it.
+//! The normal equations of a field whose observations have different precisions along and across a normal.
 //!
-//! Six products `Φᵀ diag(w) Φ`, one for each entry of a symmetric 3×3 matrix, share `Φ`. They are summed over chunks of points
-//! that stay in the cache: for a few functions at a time, the values times each of the six weights are packed side by side and
-//! multiplied with the values of all functions that follow. Passing over all points for every product waits for memory.
+//! The six products `Φᵀ diag(w) Φ`, one for each entry of a symmetric 3×3 matrix, share `Φ`. They are summed over
+//! chunks of points that stay in the cache: for a few functions at a time, the values times each of the six weights are
+//! packed side by side and multiplied with the values of all later functions. Passing over all points for every product
+//! would wait for memory.
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, ColRef, Mat, MatMut, MatRef, Par};
@@ -11,23 +12,23 @@ use nalgebra::Matrix3;
 
 /// Entries of a symmetric 3×3 matrix: row and column.
 const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)];
-/// Functions whose products with all others are computed at once.
+/// Functions per panel, whose products with all others are computed at once.
 const PANEL: usize = 16;
-/// Points whose values, weighted and as they are, stay in the cache.
+/// Points per chunk, whose values stay in the cache with and without weights.
 const CHUNK: usize = 256;
-/// Points that are transposed together: the doubles of a line of the cache.
+/// Points transposed together: the doubles of a cache line.
 const LINE: usize = 8;
 
-/// The lower triangle of `Σ_i W_i ⊗ φ_i φ_iᵀ`, `3M × 3M`, axis by axis; numbers above its diagonal have no meaning.
+/// The lower triangle of `Σ_i W_i ⊗ φ_i φ_iᵀ`, `3M × 3M`, axis by axis; numbers above the diagonal are arbitrary.
 ///
-/// `values`: every function at every point, `n × M`; `precision`: `W_i`, symmetric, one for each point. The same order of
-/// summation in every call. Cost `O(n M²)`.
+/// `values`: every function at every point, `n × M`; `precision`: `W_i`, symmetric, one per point. The order of
+/// summation is the same in every call. Cost `O(n M²)`.
 pub(super) fn weighted_gram(values: MatRef<'_, f64>, precision: &[Matrix3<f64>]) -> Mat<f64> {
     let (n, m) = (values.nrows(), values.ncols());
     let by_functions = if values.row_stride() == 1 { None } else { Some(values.to_owned()) };
     let values = by_functions.as_ref().map_or(values, Mat::as_ref);
     let weights: Vec<[f64; 6]> = precision.iter().map(|w| ENTRIES.map(|entry| w[entry])).collect();
-    // Of each panel the products with the functions from its first on: a row for each weight and function of the panel.
+    // Products of each panel with the functions from its first on: a row for each weight and function of the panel.
     let mut products: Vec<Mat<f64>> =
         (0..m).step_by(PANEL).map(|first| Mat::zeros(6 * PANEL.min(m - first), m - first)).collect();
     let mut packed = vec![0.0; 6 * PANEL * CHUNK.min(n)];
@@ -55,8 +56,8 @@ pub(super) fn weighted_gram(values: MatRef<'_, f64>, precision: &[Matrix3<f64>])
     gram
 }
 
-/// Writes the products of the functions from `first` on with those from `first` on to the lower triangle of `block`, and to the
-/// upper one if it `is_whole`.
+/// Writes the products of the functions from `first` on with each other to the lower triangle of `block`, and to the
+/// upper triangle if it `is_whole`.
 fn copy(products: MatRef<'_, f64>, first: usize, is_whole: bool, mut block: MatMut<'_, f64>) {
     for k in 0..products.nrows() {
         for l in k..products.ncols() {

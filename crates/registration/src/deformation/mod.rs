@@ -5,17 +5,17 @@
 //! independent standard normal coefficients.
 //!
 //! - [`FieldBasis`]: the Nyström approximation over `m` inducing points that cover the surface evenly
-//!   ([`homolog_primitives::points::farthest_points`]); wide kernels have few functions that matter, so `M` is tens,
-//!   not thousands. Observations are displacements, each with one precision along a normal and another across it
+//!   ([`homolog_primitives::points::farthest_points`]). Wide kernels have few relevant functions, so `M` is tens, not
+//!   thousands. Observations are displacements, each with different precisions along and across a normal
 //!   ([`Observation`]); [`fit_field`] gives the posterior mean, `(I + Φᵀ W Φ) c = Φᵀ W d`. Used by displacement.
-//! - [`posterior_covariances`]: the uncertainty where single components of displacements are observed ([`Component`]), exact and
-//!   without a basis. Used by confidence.
+//! - [`posterior_covariances`]: the uncertainty if single components of displacements are observed ([`Component`]),
+//!   exact and without a basis. Used by confidence.
 //! - `taylor`: one kernel by the first terms of its Taylor series, twenty functions without an eigendecomposition, with
 //!   isotropic observations and no covariance. Used by [`crate::pose_search()`], which fits a field to every candidate
 //!   pose.
 //!
-//! Where correspondences are unknown, [`crate::alignment::assign`] provides the observations. Nothing here knows a mesh
-//! or an energy.
+//! If correspondences are unknown, [`crate::alignment::assign`] provides the observations. This module knows no mesh
+//! and no energy.
 //!
 //! Sources: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006 (weight-space view, Nyström);
 //! Myronenko, Song, IEEE PAMI 32(12), 2010, and Hirose, IEEE PAMI 43(7), 2021 (such a prior in point-set registration).

@@ -8,9 +8,9 @@ use multiversion::multiversion;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Eigenvectors of the covariance whose variance is below this share of the largest are left out: displacements of 0.3 % of
-/// those along the first are less than surfaces can determine, and the cost of a fit grows with the cube of their number.
-/// With 1e-7, twice as many functions of two kernels gave the same errors on seven sets.
+/// Variance of an eigenvector of the covariance, as a share of the largest, below which it is left out. Displacements
+/// of 0.3 % of those along the first are less than surfaces can determine, and the cost of a fit grows with the cube of
+/// the number of functions. With 1e-7, twice as many functions of two kernels gave the same errors on seven sets.
 const RANK_TOLERANCE: f64 = 1e-5;
 
 /// The prior of a displacement field: `u(p) = a + B (p − c) + v(p)`, each part normal with mean 0 and independent for
@@ -49,8 +49,8 @@ impl SmoothPrior {
     }
 }
 
-/// Functions `φ_1 … φ_M` of position, scaled so that under the prior the coefficients of each axis of
-/// `u(p) = Σ_k φ_k(p) c_k` are independent standard normal numbers.
+/// Functions `φ_1 … φ_M` of position, scaled so that under the prior the coefficients of each axis of `u(p) = Σ_k
+/// φ_k(p) c_k` are independent standard normal variables.
 #[derive(Debug, Clone)]
 pub struct FieldBasis {
     prior: SmoothPrior,
@@ -62,7 +62,7 @@ pub struct FieldBasis {
 
 impl FieldBasis {
     /// The basis for fields over `points`, mm, with up to `n_inducing` of them as inducing points. `None` without
-    /// points or if the covariance has no eigendecomposition because a number is not finite.
+    /// points, or if the covariance has no eigendecomposition because a number is not finite.
     ///
     /// # Cost
     /// `O(n_inducing · points + n_inducing³)`.
@@ -73,7 +73,7 @@ impl FieldBasis {
         let center = points.iter().fold(Vector3::zeros(), |s, p| s + p.coords) / points.len() as f64;
         let inducing: Vec<Point3<f64>> = farthest_points(points, n_inducing).iter().map(|&i| points[i]).collect();
         let m = inducing.len();
-        // Without a unit: thresholds inside the decomposition then mean the same for surfaces of any size.
+        // Dimensionless, so that thresholds inside the decomposition mean the same for surfaces of any size.
         let variance = prior.covariance(0.0).max(f64::MIN_POSITIVE);
         let covariance =
             Mat::from_fn(m, m, |i, j| prior.covariance((inducing[i] - inducing[j]).norm_squared()) / variance);

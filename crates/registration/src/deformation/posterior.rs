@@ -1,8 +1,9 @@
-//! The uncertainty of a displacement field of which single components are observed.
+//! The uncertainty of a displacement field with observations of single components.
 //!
-//! Distances along normals and differences of features observe one component of a displacement each, `⟨d_i, u(p_i)⟩ + ε_i`. The posterior of a
-//! Gaussian process is exact over so many observations, without a basis: with `G_ij = k(p_i, p_j) ⟨d_i, d_j⟩ + δ_ij σ_i²` and
-//! `c_i(p) = k(p_i, p) d_i` the covariance of `u(p)` is `k(p, p) I − Cᵀ G⁻¹ C`.
+//! Distances along normals and differences of features observe one component of a displacement each, `⟨d_i, u(p_i)⟩ +
+//! ε_i`. For this number of observations the posterior of a Gaussian process can be computed exactly, without a basis:
+//! with `G_ij = k(p_i, p_j) ⟨d_i, d_j⟩ + δ_ij σ_i²` and `c_i(p) = k(p_i, p) d_i` the covariance of `u(p)` is `k(p, p) I
+//! − Cᵀ G⁻¹ C`.
 //!
 //! Source: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006, section 2.2.
 
@@ -16,20 +17,22 @@ use std::collections::HashMap;
 /// An observed component of a displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Component {
-    /// Where the displacement is, mm.
+    /// Position of the displacement, mm.
     pub at: Point3<f64>,
-    /// What its product with the displacement is: a unit normal for a height in mm, a gradient for the difference of a feature.
+    /// Direction whose product with the displacement is observed: a unit normal for a height in mm, a gradient for the
+    /// difference of a feature.
     pub direction: Vector3<f64>,
     /// Variance of the noise of this product, at least 0.
     pub variance: f64,
 }
 
-/// For each two of the `points` the trace of the posterior covariance of their displacements, mm², where these `components` are observed; its
-/// diagonal has the variances. The linear part of `prior` is about `center`. `None` where a number is not finite, or observations without noise
-/// contradict each other.
+/// The trace of the posterior covariance of the displacements at each two of the `points`, mm², given observations of
+/// these `components`; the diagonal has the variances. The linear part of `prior` is about `center`. `None` if a number
+/// is not finite, or if observations without noise contradict each other.
 ///
 /// # Cost
-/// `O(N³ + N² points + N points²)` for `N` components; `O(M² + M points + points²)` exponentials for the `M` places where they are observed.
+/// `O(N³ + N² points + N points²)` for `N` components; `O(M² + M points + points²)` exponentials for the `M` different
+/// places of observation.
 pub fn posterior_covariances(
     prior: &SmoothPrior,
     center: &Point3<f64>,
@@ -37,7 +40,8 @@ pub fn posterior_covariances(
     points: &[Point3<f64>],
 ) -> Option<Mat<f64>> {
     let n = components.len();
-    // Several components are observed at one place, and covariances are those of places: most of the time would go into their exponentials.
+    // Several components are observed at one place, and covariances depend only on places, so exponentials are computed
+    // per place.
     let (places, place_of) = places(components);
     let among = Mat::from_fn(places.len(), places.len(), |i, j| prior.covariance_of(&places[i], &places[j], center));
     let gram = Mat::from_fn(n, n, |i, j| {
@@ -92,7 +96,7 @@ mod tests {
     fn observed(n: usize, seed: u64, variance: f64) -> Vec<Component> {
         let points = cloud(seed, n);
         let normals = directions(seed + 1, n);
-        // Two components at a place, as of a height and of a feature.
+        // Two components at a place, as for a height and a feature.
         let at = |i: usize| points[i - i % 2];
         normals.iter().enumerate().map(|(i, d)| Component { at: at(i), direction: *d, variance }).collect()
     }
@@ -153,7 +157,7 @@ mod tests {
 
     #[test]
     fn what_no_component_observes_keeps_the_variance_of_the_prior() {
-        // Heights over a plane say nothing of displacement in it, but for that of the linear part.
+        // Heights over a plane carry no information on displacements within it, except through the linear part.
         let prior = SmoothPrior { linear: 0.0, ..prior(5.0, 1.0) };
         let mut number = numbers(3);
         let components: Vec<Component> = (0..200)

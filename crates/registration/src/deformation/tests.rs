@@ -1,4 +1,4 @@
-//! The finite basis and the posterior against the Gaussian process they stand for, and laws of smooth fields.
+//! The finite basis and the posterior compared with the Gaussian process they represent, and laws of smooth fields.
 
 use super::*;
 use crate::testing::{cloud, directions, numbers};
@@ -76,8 +76,8 @@ proptest! {
         let values = basis.values(&points);
         let observed = observations(seed, n, isotropic);
         let fitted = fit_field(values.as_ref(), &observed).unwrap();
-        // u = K (K + N)⁻¹ d and Cov u = K − K (K + N)⁻¹ K, with K over all points and axes: the covariance of the basis, which
-        // is that of the prior but for the eigenvectors left out (the test before this one).
+        // u = K (K + N)⁻¹ d and Cov u = K − K (K + N)⁻¹ K, with K over all points and axes: the covariance of the
+        // basis, which equals that of the prior except for the eigenvectors left out (the test before this one).
         let of_an_axis = &values * values.transpose();
         let prior_covariance =
             Mat::from_fn(3 * n, 3 * n, |a, b| if a % 3 == b % 3 { of_an_axis[(a / 3, b / 3)] } else { 0.0 });

@@ -1,21 +1,22 @@
 //! The pose of one surface on another from any initial orientation: sampled rotations, ranked and refined by soft
 //! assignment.
 //!
-//! Closest points and principal axes find a pose where both surfaces are complete and similar. Noise distorts normals
-//! and curvature, a missing end shifts the centroid and the axes, a different shape has different axes. What remains is
-//! to try every rotation, cheaply:
+//! Closest points and principal axes find a pose if both surfaces are complete and similar. Noise distorts normals and
+//! curvature, a missing end shifts the centroid and the axes, and a different shape has different axes. This search
+//! therefore tries every rotation, cheaply:
 //!
 //! 1. Both surfaces become patches ([`patches`]), few and many, in the frames of their centroids and principal axes.
 //! 2. **Screening**: rotations on a spiral, and the four of the principal axes, are ranked on the few patches by the
-//!    misfit of a wide soft assignment ([`crate::alignment`]); the best that are not close to each other remain. Centroid lies on centroid,
-//!    but the centroid of a part lies on those of several pieces of the whole in turn, each as large as the part ([`patches::pieces`]).
-//! 3. **Annealing**: each is refined by rigid steps of coherent point drift while the kernel width shrinks; candidates
-//!    that end in the same pose are merged.
+//!    misfit of a wide soft assignment ([`crate::alignment`]); the best that are not close to each other remain.
+//!    Centroids coincide, except for a part: its centroid is placed on the centroids of several pieces of the whole in
+//!    turn, each as large as the part ([`patches::pieces`]).
+//! 3. **Annealing**: each candidate is refined by rigid steps of coherent point drift while the kernel width shrinks;
+//!    candidates that end in the same pose are merged.
 //! 4. **Settling**: the few best are refined on the many patches with narrower kernels.
-//! 5. **Bending**: a smooth field ([`crate::deformation`]) takes up the difference in shape of each pose before its
-//!    final misfit is measured. Where shapes differ, the rigid transform of least distance is not the anatomical one: a
-//!    bent end rotates the whole about its long axis. With the field, the assigned pairs are better, and the pose is
-//!    their absolute orientation.
+//! 5. **Bending**: a smooth field ([`crate::deformation`]) absorbs the difference in shape of each pose before its
+//!    final misfit is measured. If shapes differ, the rigid transform of least distance is not the anatomical one: a
+//!    bent end rotates the whole about its long axis. The field improves the assigned pairs, and the pose is their
+//!    absolute orientation.
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010 (rigid steps);
 //! Alexa 2022 (the spiral, see [`rotations`]).
@@ -38,12 +39,12 @@ use patches::{Patch, Patches, mirrored, pieces};
 use rayon::prelude::*;
 use rotations::spread_rotations;
 
-/// How a pose search runs.
+/// Options of a pose search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseSearchOptions {
-    /// Whether poses with a reflection are tried as well.
+    /// Whether to try poses with a reflection as well.
     pub allow_reflection: bool,
-    /// Whether the source shows a part of what the target shows.
+    /// Whether the source shows only a part of the target.
     pub source_is_part: bool,
     /// Rotations on the spiral.
     pub n_rotations: usize,
@@ -51,12 +52,12 @@ pub struct PoseSearchOptions {
     pub n_coarse: usize,
     /// Patches of each surface in settling and bending.
     pub n_fine: usize,
-    /// Poses of either handedness that are annealed.
+    /// Number of poses of each handedness that are annealed.
     pub n_annealed: usize,
-    /// Largest number of poses of either handedness that are settled and returned.
+    /// Largest number of poses of each handedness that are settled and returned.
     pub n_settled: usize,
-    /// Kernel width `σ` in diagonals of the larger surface: for screening, and at the end of annealing and of settling.
-    /// Bending anneals from the second to the third value again.
+    /// Kernel width `σ` in diagonals of the larger surface: for screening, at the end of annealing, and at the end of
+    /// settling. Bending anneals again from the second to the third value.
     pub sigma: [f64; 3],
     /// Steps of annealing, settling and bending.
     pub steps: [u32; 3],
@@ -78,7 +79,7 @@ impl Default for PoseSearchOptions {
     }
 }
 
-/// A pose and how well the surfaces agree in it.
+/// A pose, and the agreement of the surfaces in it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScoredPose {
     /// The pose.
@@ -89,15 +90,16 @@ pub struct ScoredPose {
     pub excess: f64,
 }
 
-/// Width and standard deviation of the bending field in diagonals: bends over a third of a structure, by a tenth.
+/// Width of the bending field in diagonals: it bends over a third of a structure; its standard deviation is a tenth.
 const WIDTH: f64 = 0.3;
 const AMPLITUDE: f64 = 0.1;
-/// Independent observations over a surface: the errors of neighboring patches are correlated.
+/// Number of independent observations over a surface: the errors of neighboring patches are correlated.
 const OBSERVATIONS: f64 = 80.0;
-/// Poses that are the same within this angle, radians, are annealed once; 20°.
+/// Angle, radians, within which poses are annealed only once; 20°.
 const APART: f64 = 0.35;
 
-/// Places of the whole on which the centroid of a part is tried. An end of 30 % of a hippocampus has about three lengths of its own to lie on.
+/// Number of places of the whole on which the centroid of a part is tried. An end of 30 % of a hippocampus has about
+/// three lengths of its own to lie on.
 const N_PLACES: usize = 16;
 
 /// A pose in the frames of the patches.
@@ -115,13 +117,13 @@ impl Candidate {
     }
 }
 
-/// Poses that align `source` with `target`, best first, no two of equal handedness the same within 30° ([`SamePose`]; those of a part
-/// by orientation and place).
+/// Poses that align `source` with `target`, best first. No two of equal handedness are the same within 30°
+/// ([`SamePose`]; for a part, by orientation and place).
 ///
-/// Empty if a surface has fewer than three points, no area, or a number that is not finite. Features of the inputs, if there
-/// are any, are those of [`surroundings`], in any unit: those of a surface whose points have been moved elsewhere, say.
-/// Without them they are computed from the points. Moving an input rigidly moves the result with it. Candidates are refined independently on all threads, so
-/// any number of threads gives the same bits.
+/// Empty if a surface has fewer than three points, no area, or a number that is not finite. Optional features of the
+/// inputs are those of [`surroundings`], in any unit; they may for example come from a surface whose points have moved
+/// since. Otherwise they are computed from the points. Moving an input rigidly moves the result with it. Candidates are
+/// refined independently on all threads, so any number of threads gives the same bits.
 ///
 /// # Cost
 /// `O((rotations · places + annealed · steps) · coarse² + settled · steps · fine² + fine · points)`; twice with reflections.
@@ -191,7 +193,7 @@ fn points_of(patches: &[Patch]) -> impl Iterator<Item = OrientedPoint<'_>> + Clo
 struct Search<'a> {
     coarse: Level,
     fine: Level,
-    /// Where on the target the centroid of the source may lie, in the frame of its patches.
+    /// Possible positions of the source's centroid on the target, in the frame of its patches.
     places: Vec<Vector3<f64>>,
     same: SamePose,
     diagonal_mm: f64,
@@ -215,7 +217,7 @@ impl Search<'_> {
         self.best_apart(bent, SAME_POSE_ANGLE, n)
     }
 
-    /// `start` refined with a field that takes up the difference in shape. Its misfit is that of the bent surface plus
+    /// `start` refined with a field that absorbs the difference in shape. Its misfit is that of the bent surface plus
     /// the cost of the bending.
     fn bent(
         &self,
@@ -241,7 +243,7 @@ impl Search<'_> {
             cost = fitted.cost;
             let to: Vec<Point3<f64>> =
                 base.iter().zip(&fitted.displacements).map(|(p, u)| Point3::from(p.center + u)).collect();
-            // The rigid part of the field moves into the pose, where it has no cost.
+            // The rigid part of the field moves into the pose, where it costs nothing.
             let Ok(pose) = absolute_orientation(&from, &to, Some(weights), false) else { break };
             (found.rotation, found.shift) = (pose.rotation, pose.translation);
             base = found.moved(source);
@@ -250,7 +252,7 @@ impl Search<'_> {
                 patch.center = at.coords;
             }
         }
-        // Per observation, like the misfit, which is a mean; the cost is that of all observations together.
+        // Per observation, like the misfit, which is a mean; the cost covers all observations together.
         found.misfit = assignment.misfit(points_of(&bent), target, sigma_mm.1) + cost / OBSERVATIONS;
         found
     }
@@ -275,8 +277,8 @@ impl Search<'_> {
         self.best_apart(found, APART, self.options.n_annealed)
     }
 
-    /// The `n` best of `candidates` of either handedness, best first, none the same as a better one within `angle`, radians.
-    /// Candidates of equal misfit stay in the given order; those whose misfit is not finite are left out.
+    /// The `n` best of `candidates` of each handedness, best first, skipping those within `angle`, radians, of a better
+    /// one. Candidates of equal misfit stay in the given order; candidates whose misfit is not finite are left out.
     fn best_apart(&self, mut candidates: Vec<Candidate>, angle: f64, n: usize) -> Vec<Candidate> {
         candidates.retain(|c| c.misfit.is_finite());
         candidates.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
@@ -296,8 +298,8 @@ impl Search<'_> {
     }
 }
 
-/// `refine` of each candidate, in their order, on all threads. The scratch memory is reused between candidates and does
-/// not affect the result.
+/// Applies `refine` to each candidate, in their order, on all threads. The scratch memory is reused between candidates
+/// and does not affect the result.
 fn for_each_candidate(
     candidates: &[Candidate],
     refine: impl Fn(&mut CompactAssignment, &Candidate) -> Candidate + Sync + Send,

@@ -2,7 +2,7 @@
 //!
 //! The mean over a patch reduces the noise of single vertices by the square root of their number. The sum of the vector
 //! areas of faces that share edges depends only on the rim of the patch, so noise that tilts single normals at random
-//! leaves the normal of the patch nearly unchanged. The number of vertices of a patch does not matter.
+//! leaves the normal of the patch nearly unchanged. The number of vertices in a patch is irrelevant.
 
 use crate::alignment::compact::N_FEATURES;
 use crate::alignment::{OrientedPoint, OrientedPoints};
@@ -44,7 +44,7 @@ pub(super) struct Patches {
     pub axes: Matrix3<f64>,
     /// Diagonal of the box around the patches along the axes, mm.
     pub diagonal_mm: f64,
-    /// Whether the features are those that came with the points.
+    /// Whether the points came with features.
     pub have_features: bool,
 }
 
@@ -59,7 +59,7 @@ impl Patches {
         let local = |p: &Point3<f64>| Point3::from(axes.transpose() * (p.coords - center));
         let points: Vec<Point3<f64>> = surface.points.iter().map(local).collect();
         let normals: Vec<Vector3<f64>> = surface.normals.iter().map(|n| axes.transpose() * n).collect();
-        // The first samples of many are few samples spread evenly.
+        // The first samples of a large sample form a small, evenly spread sample.
         let mut sampling = FarthestPoints::new(&points, Point3::origin());
         let [coarse, fine] = [n_coarse.max(1), n_fine].map(|n| {
             sampling.extend_to(n);
@@ -78,8 +78,8 @@ pub(super) fn mirrored(patches: &[Patch]) -> Vec<Patch> {
     patches.iter().map(|p| Patch { center: reflected(&p.center), normal: reflected(&p.normal), ..*p }).collect()
 }
 
-/// The centroids of `n` pieces of `whole`, each around one of its first patches, which are spread evenly, and of the area `area`: as many
-/// of the nearest patches as have it together. Cost `O(n · patches log patches)`.
+/// The centroids of `n` pieces of `whole`. Each piece lies around one of the first patches, which are spread evenly,
+/// and consists of the nearest patches whose total area is `area`. Cost `O(n · patches log patches)`.
 pub(super) fn pieces(whole: &[Patch], area: f64, n: usize) -> Vec<Vector3<f64>> {
     let around = |at: &Patch| {
         let mut nearest: Vec<&Patch> = whole.iter().collect();
@@ -97,9 +97,8 @@ pub(super) fn pieces(whole: &[Patch], area: f64, n: usize) -> Vec<Vector3<f64>> 
     whole.iter().take(n).map(around).collect()
 }
 
-/// Centroid of the surface, and its principal axes as columns of a rotation, longest first. The first two have the sign
-/// that makes the skewness along them positive, so that the frame moves with the surface. `None` if a number is not
-/// finite.
+/// Centroid of the surface, and its principal axes as columns of a rotation, longest first. The signs of the first two
+/// make the skewness along them positive, so that the frame moves with the surface. `None` if a number is not finite.
 fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matrix3<f64>)> {
     let weighted = || surface.points.iter().zip(surface.areas);
     let (center, scatter) = weighted_moments(surface.points, surface.areas, total)?;
@@ -114,7 +113,7 @@ fn frame(surface: &OrientedPoints<'_>, total: f64) -> Option<(Vector3<f64>, Matr
     Some((center, Matrix3::from_columns(&[first, second, first.cross(&second)])))
 }
 
-/// One patch per sample: the points nearest to it. Patches without area are left out.
+/// One patch per sample, made of the points nearest to it. Patches without area are left out.
 fn cut(
     points: &[Point3<f64>],
     sampling: &FarthestPoints<'_>,

@@ -16,33 +16,33 @@ use homolog_mesh::volume::Sampling;
 use homolog_mesh::{FaceArity, MeshError, Numbering, SurfaceMesh, repair};
 use nalgebra::Point3;
 
-/// A surface made from an input, with the repairs that were made and the fault that remains, if any.
+/// A surface made from an input, with its repairs and the remaining fault, if any.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Candidate {
     pub mesh: SurfaceMesh,
-    /// Which vertex of the upload each vertex of `mesh` is.
+    /// For each vertex of `mesh`, its vertex in the upload.
     pub numbering: Numbering,
-    /// Vertices that repairs added, numbered after those of the upload: where they were added.
+    /// Positions of vertices added by repairs, numbered after those of the upload.
     pub added: Vec<Point3<f64>>,
-    /// The surface before it was simplified, and which vertex of the upload each of its vertices is.
+    /// The surface before simplification, and its vertices in the upload.
     pub whole: Option<(SurfaceMesh, Numbering)>,
     /// Topology before repairs.
     pub topology: TopologyReport,
     /// Topology after repairs.
     pub repaired: TopologyReport,
-    /// What is still wrong, in terms of the vertices of the upload.
+    /// The first remaining fault, in vertices of the upload.
     pub fault: Option<SurfaceFault>,
-    /// What is wrong beside that.
+    /// Further remaining faults.
     pub others: Vec<SurfaceFault>,
     pub repairs: Vec<RepairNote>,
     pub turned_outward: bool,
-    /// Repairs that were asked for and not made, and why.
+    /// Requested repairs that were not made, with reasons.
     pub notes: Vec<String>,
-    /// What may have made another structure of it than was meant.
+    /// Changes that may have produced a structure other than the intended one.
     pub warnings: Vec<InputWarning>,
-    /// The labels of which it was made; `None` for meshes.
+    /// The labels the surface was made from; `None` for meshes.
     pub labels: Option<UsedLabels>,
-    /// What its voxels leave unknown; `None` for meshes.
+    /// Uncertainty due to voxel size; `None` for meshes.
     pub sampling: Option<Sampling>,
 }
 
@@ -57,7 +57,7 @@ impl Candidate {
                 super::label_surface::from_labels(volume, &file.label_names, parameters, limits)?
             }
             FileContent::Mesh(file) => {
-                // Before repairs, which cost more than reading does.
+                // Checked before repairs, which cost more than reading.
                 let (found, limit) = (file.mesh.n_faces() as u64, limits.max_faces as u64);
                 if found > limit {
                     return Err(IntakeError::TooLarge { what: "faces", found, limit });
@@ -120,7 +120,7 @@ impl Candidate {
         }
     }
 
-    /// Drops vertices down to `input.max_vertices`.
+    /// Simplifies the surface to `input.max_vertices` vertices.
     fn simplify(&mut self, parameters: &InputParameters) {
         let Some(wanted) = parameters.max_vertices.map(|n| n as usize).filter(|&n| n < self.mesh.n_vertices()) else {
             return;
@@ -249,7 +249,7 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
                 before.n_vertices
             );
             let share = 1.0 - topology_report(&current.mesh).area_mm2 / before.area_mm2;
-            // A mesh loses pieces only if that was asked for.
+            // A mesh loses pieces only on request.
             warnings.push(warnings::piece_dropped(before.n_components as usize, share, "area", true));
             repairs.push(RepairNote { repair: Repair::LargestComponent, detail });
         }
@@ -287,13 +287,13 @@ fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate,
     let mut candidate = Candidate::new(current.mesh, current.numbering, topology, repairs, parameters.allow_boundary);
     let in_part = joined_in_part.then(|| near::soup_fault(&candidate.repaired));
     if let Some(soup) = near::soup(&candidate.repaired).or(in_part) {
-        // Whatever else is wrong with it follows from that.
+        // All other faults follow from this one.
         candidate.others.splice(0..0, candidate.fault.replace(soup));
     }
     Ok(Candidate { added, notes, warnings, ..candidate })
 }
 
-/// `numbering` with `n_new` further vertices, which are numbered from `first` on.
+/// `numbering` with `n_new` further vertices, numbered from `first` on.
 fn extended(numbering: &Numbering, first: usize, n_new: usize) -> Numbering {
     let new = first as u32..(first + n_new) as u32;
     let originals: Vec<u32> = numbering.originals().iter().copied().chain(new).collect();
@@ -309,7 +309,7 @@ fn tunnels_note(closed: &ClosedTunnels) -> String {
     )
 }
 
-/// `next`, a repair of `current.mesh`, in terms of the mesh of which `current` is a repair.
+/// `next`, a repair of `current.mesh`, expressed as a repair of the mesh that `current` repairs.
 fn followed(current: &RepairedMesh, next: RepairedMesh) -> RepairedMesh {
     RepairedMesh { numbering: next.numbering.over(&current.numbering), mesh: next.mesh }
 }

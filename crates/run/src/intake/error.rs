@@ -1,4 +1,4 @@
-//! Why a file is refused: what is wrong, where, and what its sender can do.
+//! Refusals of files: the fault, its position, and a remedy for the sender.
 
 use super::label_names::{NearName, table_of};
 use super::{counted, repair_name};
@@ -6,10 +6,10 @@ use homolog_contract::parameters::Repair;
 use homolog_formats::FormatError;
 use homolog_mesh::topology::{SurfaceFault, TopologyReport};
 
-/// Why a file is refused.
+/// Reasons for refusing a file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IntakeError {
-    /// None of the formats that can be read.
+    /// None of the readable formats.
     #[error(
         "the file format is not recognized; send a surface as GIFTI, PLY, STL, VTK, VTP, OBJ, OFF, MZ3 or FreeSurfer, or \
          labels as NIfTI, MGZ, NRRD, MetaImage or DICOM SEG"
@@ -21,46 +21,46 @@ pub enum IntakeError {
     /// A limit of the service is exceeded.
     #[error("the file has {found} {what}, but at most {limit} are accepted; {}", smaller(what))]
     TooLarge {
-        /// What is counted, plural.
+        /// The counted items, plural.
         what: &'static str,
-        /// How many there are; reading may have ended before all were counted.
+        /// Number found; reading may have ended before all were counted.
         found: u64,
-        /// How many are accepted.
+        /// Number accepted.
         limit: u64,
     },
     /// No voxel has one of the requested labels.
     #[error("no voxel has {}; {}", requested_labels(requested.as_deref()), present_labels(present, *n_present))]
     EmptyStructure {
-        /// The requested labels; `None`: any label other than 0.
+        /// The requested labels; `None` for any label other than 0.
         requested: Option<Vec<u32>>,
         /// Labels of the volume other than 0, ascending; only the lowest if there are many.
         present: Vec<u32>,
-        /// How many labels other than 0 the volume has.
+        /// Number of labels other than 0 in the volume.
         n_present: usize,
     },
-    /// A label was requested by a name that nothing has.
+    /// A label was requested by an unknown name.
     #[error("no label is called {name}{}; {}", near_names(nearest), without_name(*has_names))]
     UnknownLabelName {
-        /// Which of the requested labels, from 0.
+        /// Position among the requested labels, from 0.
         place: usize,
         /// The name, in quotation marks.
         name: String,
-        /// The names most like it.
+        /// The most similar names.
         nearest: Vec<NearName>,
         /// Whether the file has names.
         has_names: bool,
     },
-    /// A label was requested by a name that has different numbers in the tables that know the volume.
+    /// A label was requested by a name with different numbers in the tables that know the volume.
     #[error("{name} is {}; name the table", ambiguous(name, meanings))]
     AmbiguousLabelName {
-        /// Which of the requested labels, from 0.
+        /// Position among the requested labels, from 0.
         place: usize,
         /// The name, in quotation marks.
         name: String,
-        /// The name of each table, and the numbers there.
+        /// The name of each table, with the label's numbers in it.
         meanings: Vec<(&'static str, Vec<u32>)>,
     },
-    /// The values of a volume look like measurements, and nobody confirmed that they are labels.
+    /// The values of a volume look like measurements, and the request does not confirm that they are labels.
     #[error(
         "the file looks like an image, not like labels: {} of its {n_values} values other than 0 keep together, {:.0} % of \
          neighboring voxels have equal values, and {:.0} % of the voxels at the border are not 0; send a segmentation of it, \
@@ -70,9 +70,9 @@ pub enum IntakeError {
         100.0 * border_share
     )]
     LooksLikeImage {
-        /// Different values other than 0.
+        /// Number of different values other than 0.
         n_values: usize,
-        /// Those of which most voxels lie beside another of the same value.
+        /// Number of values most of whose voxels lie beside another voxel of the same value.
         n_together: usize,
         /// Share of equal pairs among neighboring voxels other than 0.
         equal_share: f64,
@@ -91,24 +91,24 @@ pub enum IntakeError {
         /// Voxels of the structure.
         n_voxels: u64,
     },
-    /// Faces that use a vertex twice, where the repair that drops them was not allowed.
+    /// Faces use a vertex twice, and the repair that drops them was not allowed.
     #[error(
         "{} a vertex twice; the first is face {face} with vertex {vertex} (both counted from 0) at \
          ({:.2}, {:.2}, {:.2}) mm{}; {advice}",
         counted(*n_faces, "face uses", "faces use"), place_mm[0], place_mm[1], place_mm[2], also(others)
     )]
     DegenerateFaces {
-        /// How many.
+        /// Number of such faces.
         n_faces: u64,
-        /// The first, counted from 0 in the order of the file.
+        /// The first such face, counted from 0 in the order of the file.
         face: u64,
-        /// The vertex that it uses twice.
+        /// The repeated vertex.
         vertex: u32,
         /// Its position.
         place_mm: [f64; 3],
-        /// What is wrong beside that.
+        /// Further faults.
         others: Vec<SurfaceFault>,
-        /// What can be done about it.
+        /// The remedy.
         advice: Advice,
         /// Topology of the surface without these faces.
         topology: Box<TopologyReport>,
@@ -116,21 +116,21 @@ pub enum IntakeError {
     /// The surface has no consistent orientation, encloses no volume, or has a boundary that was not allowed.
     #[error("{fault}{}; {advice}", also(others))]
     UnsuitableSurface {
-        /// What is wrong and where; its vertices are those of the uploaded mesh.
+        /// The fault and its position, in vertices of the uploaded mesh.
         fault: SurfaceFault,
-        /// What is wrong beside that.
+        /// Further faults.
         others: Vec<SurfaceFault>,
-        /// What can be done about it.
+        /// The remedy.
         advice: Advice,
-        /// Topology of the surface after the repairs that were allowed.
+        /// Topology of the surface after the allowed repairs.
         topology: Box<TopologyReport>,
     },
 }
 
-/// What can be done about an unsuitable surface.
+/// Remedies for an unsuitable surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Advice {
-    /// These repairs, allowed together, make the surface suitable.
+    /// These repairs together make the surface suitable, if allowed.
     Allow(Vec<Repair>),
     /// The surface is suitable if a boundary is allowed.
     Open,
@@ -138,7 +138,7 @@ pub enum Advice {
     Edit,
 }
 
-/// The JSON of an API request; in the alternate form the option of the command line.
+/// Displays the JSON of an API request; the alternate form displays the option of the command line.
 impl std::fmt::Display for Advice {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -163,7 +163,7 @@ impl std::fmt::Display for Advice {
     }
 }
 
-/// How to come below a limit.
+/// Advice for coming below a limit.
 fn smaller(what: &str) -> &'static str {
     if what.contains("vertices") {
         "have it simplified (input.max_vertices), crop it or reduce its resolution"
@@ -221,7 +221,7 @@ fn present_labels(present: &[u32], n_present: usize) -> String {
     format!("the volume has the labels [{}]{more}: set input.labels to those of the structure", listed.join(", "))
 }
 
-/// What the parameters of an API request are called on the command line.
+/// Parameters of an API request, with their names on the command line.
 const ON_COMMAND_LINE: [(&str, &str); 6] = [
     (
         "set input.labels to those of the structure",
@@ -235,7 +235,7 @@ const ON_COMMAND_LINE: [(&str, &str); 6] = [
 ];
 
 impl IntakeError {
-    /// The message with advice in terms of the command line.
+    /// The message, with advice in terms of the command line.
     pub fn for_command_line(&self) -> String {
         let message = self.to_string();
         match self {
@@ -266,7 +266,7 @@ impl IntakeError {
         }
     }
 
-    /// Where the first fault of the refused surface is, mm, if it is at one place.
+    /// Position of the first fault of the refused surface, mm, if it has one.
     pub fn place_mm(&self) -> Option<[f64; 3]> {
         match self {
             IntakeError::DegenerateFaces { place_mm, .. } => Some(*place_mm),
@@ -275,7 +275,7 @@ impl IntakeError {
         }
     }
 
-    /// The topology of the refused surface, if there was a surface.
+    /// The topology of the refused surface, if there is a surface.
     pub fn topology(&self) -> Option<&TopologyReport> {
         match self {
             IntakeError::DegenerateFaces { topology, .. } | IntakeError::UnsuitableSurface { topology, .. } => {

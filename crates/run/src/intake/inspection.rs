@@ -1,4 +1,4 @@
-//! What an input is and whether it can be matched: a report where [`super::prepare_surface`] would refuse.
+//! Inspection of an input and its suitability for matching: reports where [`super::prepare_surface`] would refuse.
 
 use super::candidate::Candidate;
 use super::label_names::table_of;
@@ -10,17 +10,18 @@ use homolog_formats::FileContent;
 use homolog_mesh::volume::{BettiNumbers, LabelVolume};
 use std::collections::BTreeMap;
 
-/// Most labels that are listed.
+/// Largest number of listed labels.
 const MAX_LISTED_LABELS: usize = 1000;
 
-/// Reads `bytes` and reports what the file holds, what surface would be made of it, and whether that can be matched.
+/// Reads `bytes` and reports the content of the file, the surface that would be made from it, and its suitability for
+/// matching.
 ///
 /// # Errors
-/// [`IntakeError`] if the file cannot be read. An input that can be read but not matched is no error: the inspection has
-/// the refusal.
+/// [`IntakeError`] if the file cannot be read. An input that can be read but not matched is not an error: the
+/// inspection contains the refusal.
 ///
 /// # Cost
-/// As [`super::prepare_surface`].
+/// The cost of [`super::prepare_surface`].
 pub fn inspect(
     bytes: &[u8],
     file_name: Option<&str>,
@@ -69,20 +70,20 @@ pub fn inspect(
     Ok(inspection)
 }
 
-/// The form of a label's voxels.
+/// The shape of a label's voxels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LabelShape {
-    /// Pieces that share no face of a voxel.
+    /// Pieces without a common voxel face.
     pub n_pieces: u32,
-    /// Tunnels through them.
+    /// Tunnels through the pieces.
     pub n_tunnels: u32,
 }
 
-/// The forms of the first `most` labels of a volume, by label; empty for what is no volume that can be read. A label whose box
-/// exceeds [`IntakeLimits::max_voxels`] is left out.
+/// The shapes of the first `most` labels of a volume, by label; empty if `bytes` are not a readable volume. A label
+/// whose box exceeds [`IntakeLimits::max_voxels`] is left out.
 ///
 /// # Cost
-/// One pass over the volume for each label, and linear in its box.
+/// One pass over the volume per label, and linear in its box.
 pub fn label_shapes(
     bytes: &[u8],
     file_name: Option<&str>,

@@ -1,8 +1,9 @@
-//! Labels by name: by the names that a file gives, else by the tables of well-known segmentations.
+//! Labels by name: by the names in the file, or else by the tables of well-known segmentations.
 //!
-//! Names are compared by their words, in any order and case, with `l`, `lh` and `r`, `rh` for left and right: `hippocampus-left`
-//! is `Left-Hippocampus` and `Hippocampus_L`. A table is used for a volume without names of its own, all of whose labels it knows and
-//! which has the label meant; `freesurfer:hippocampus-left` names it, and needs no such evidence.
+//! Names are compared by their words, in any order and case, with `l`, `lh` and `r`, `rh` for left and right:
+//! `hippocampus-left` equals `Left-Hippocampus` and `Hippocampus_L`. A table is used for a volume without names if it
+//! knows all labels of the volume and the volume has the requested label. A prefix such as
+//! `freesurfer:hippocampus-left` selects a table without such evidence.
 
 use super::IntakeError;
 use homolog_contract::parameters::LabelChoice;
@@ -10,17 +11,17 @@ use homolog_mesh::volume::LabelVolume;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
-/// Most names that a refusal suggests.
+/// Largest number of names that a refusal suggests.
 const MAX_NEAREST: usize = 3;
-/// Least similarity of a name that is suggested, from 0 to 1.
+/// Least similarity of a suggested name, from 0 to 1.
 const LEAST_SIMILARITY: f64 = 0.5;
-/// Most characters of a name that a refusal repeats.
+/// Largest number of characters of a name that a refusal repeats.
 const MAX_SHOWN: usize = 64;
 
 /// The numbers and names of a segmentation.
 #[derive(Debug)]
 pub struct LabelTable {
-    /// Its name before a colon, such as `freesurfer`.
+    /// Name used before a colon, such as `freesurfer`.
     pub name: &'static str,
     /// The program or atlas, for people.
     pub title: &'static str,
@@ -28,7 +29,7 @@ pub struct LabelTable {
     rows: Vec<(u32, &'static str)>,
 }
 
-/// Name, title and content of each table; the files state source and licence.
+/// Name, title and content of each table; the files state source and license.
 const TABLES: [(&str, &str, &str); 5] = [
     ("freesurfer", "FreeSurfer", include_str!("label_tables/freesurfer.tsv")),
     ("totalsegmentator", "TotalSegmentator", include_str!("label_tables/totalsegmentator.tsv")),
@@ -69,14 +70,14 @@ impl LabelTable {
     }
 }
 
-/// The table by which the labels of a volume have names, where the file has none: the only one that knows all of them, and
-/// several.
+/// The table that names the labels of a volume if the file has no names: the only table that knows all of them,
+/// provided that there are several.
 pub(super) fn table_of(present: &BTreeSet<u32>) -> Option<&'static LabelTable> {
     let mut known = label_tables().iter().filter(|table| table.knows_all(present));
     known.next().filter(|_| present.len() > 1 && known.next().is_none())
 }
 
-/// What is like a name that nothing has.
+/// A name similar to an unknown one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum NearName {
     /// A name of a table and its number.
@@ -88,7 +89,7 @@ pub enum NearName {
         /// The program or atlas.
         title: &'static str,
     },
-    /// A name of the file, which is not repeated: its text may name a patient.
+    /// A name in the file, which is not repeated: its text may name a patient.
     OfFile {
         /// Its number.
         number: u32,
@@ -109,7 +110,7 @@ pub fn are_one_name(a: &str, b: &str) -> bool {
     words_of(a) == words_of(b)
 }
 
-/// The numbers of the labels that a request chooses in a volume whose file has these names.
+/// The numbers of the labels selected by a request in a volume with these names in its file.
 ///
 /// # Errors
 /// [`IntakeError::UnknownLabelName`]; [`IntakeError::AmbiguousLabelName`].
@@ -121,14 +122,15 @@ pub fn chosen_numbers(
     chosen(labels, names, volume).map(|found| found.numbers)
 }
 
-/// Labels by number, and what was taken for the numbers by a table, a sentence each.
+/// Labels by number, and a sentence on each number found through a table.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct ChosenLabels {
     pub numbers: Vec<u32>,
     pub notes: Vec<String>,
 }
 
-/// The numbers of the labels that a request chooses; a name chooses every label that has it. `names` are those of the file.
+/// The numbers of the labels selected by a request; a name selects every label that has it. `names` are the names in
+/// the file.
 ///
 /// # Errors
 /// [`IntakeError::UnknownLabelName`]; [`IntakeError::AmbiguousLabelName`] if tables disagree.
@@ -193,7 +195,7 @@ fn by_table(
         .map(|table| (*table, table.numbers_of(&words).into_iter().collect::<Vec<_>>()))
         .filter(|(_, numbers)| !numbers.is_empty())
         .collect();
-    // Without a table's name, what none of the voxels has was not meant.
+    // Unless a table is named, labels without voxels were not meant.
     if prefix.is_none() {
         found.retain(|(_, numbers)| numbers.iter().any(|number| present.contains(number)));
     }
@@ -237,7 +239,7 @@ fn shown(name: &str) -> String {
     format!("{text:?}")
 }
 
-/// The words of a name in order, each once in lower case, sides spelled out.
+/// The words of a name in order, each once, in lower case, with sides spelled out.
 fn words_of(name: &str) -> Vec<String> {
     let lower = name.to_lowercase();
     let words = lower.split(|c: char| !c.is_alphanumeric() && c != '+').filter(|word| !word.is_empty());
@@ -268,12 +270,12 @@ mod tests {
     }
 
     #[test]
-    fn every_table_is_read_whole_and_states_source_and_licence() {
+    fn every_table_is_read_whole_and_states_source_and_license() {
         for ((name, _, text), table) in TABLES.iter().zip(label_tables()) {
             assert_eq!(text.lines().filter(|line| !line.starts_with('#')).count(), table.rows.len(), "{name}");
             let head: String = text.lines().take_while(|line| line.starts_with('#')).collect();
             assert!(head.contains("Source:") && head.contains("icence"), "{name}");
-            // A name has one number; its words too, or a request could not say which.
+            // A name has one number, and so do its words; otherwise requests would be ambiguous.
             for (number, row) in &table.rows {
                 assert_eq!(table.numbers_of(&words_of(row)), BTreeSet::from([*number]), "{name}: {row}");
             }
@@ -290,7 +292,7 @@ mod tests {
         assert_eq!(numbers("kidney-left", &[1, 2, 3, 5]).unwrap(), [3]);
         assert_eq!(numbers("entorhinal-right ctx", &[17, 53, 2006]).unwrap(), [2006]);
         assert_eq!(numbers("hippocampus left", &[4101, 4102, 2001]).unwrap(), [4101]);
-        // The volume has not the label that the name means, or one that no table knows.
+        // The volume lacks the named label, or has a label that no table knows.
         assert!(matches!(numbers("amygdala-left", &[17, 53, 1006]), Err(IntakeError::UnknownLabelName { .. })));
         assert!(matches!(numbers("hippocampus-left", &[17, 9999]), Err(IntakeError::UnknownLabelName { .. })));
         assert_eq!(numbers("freesurfer:hippocampus-left", &[17, 9999]).unwrap(), [17]);
@@ -298,7 +300,7 @@ mod tests {
 
     #[test]
     fn tables_that_disagree_are_named() {
-        // 22 is the heart of one table, 51 that of the other, which the volume has not.
+        // 22 is the heart in one table, 51 in the other; the volume lacks 51.
         assert_eq!(numbers("heart", &[22, 50]).unwrap(), [22]);
         let said = numbers("sacrum", &[18, 25]).unwrap_err().to_string();
         assert!(said.contains("totalsegmentator:sacrum") && said.contains("totalsegmentator-mr:sacrum"), "{said}");
@@ -316,7 +318,7 @@ mod tests {
     }
 
     proptest! {
-        /// However the words of a name are ordered, joined and written, it is the same label.
+        /// Any order, joining and spelling of the words of a name selects the same label.
         #[test]
         fn any_spelling_of_a_name_is_its_label(
             table in 0..TABLES.len(),
@@ -335,7 +337,7 @@ mod tests {
             prop_assert_eq!(numbers(&text, &[number]).unwrap(), vec![number]);
         }
 
-        /// No name makes the search fail other than by a refusal that repeats at most its first characters.
+        /// For any name the search fails only by a refusal, which repeats at most the first characters of the name.
         #[test]
         fn any_text_is_a_label_or_refused_in_one_line(name in ".{0,200}", present in prop::collection::vec(0u32..130, 1..6)) {
             if let Err(error) = numbers(&name, &present) {

@@ -1,4 +1,4 @@
-//! From a label volume to a surface: the labels that were chosen, their repair as voxels, and the surface of the voxels.
+//! Makes a surface from a label volume: selects the labels, repairs their voxels, and extracts the surface.
 
 use super::candidate::Candidate;
 use super::label_names::chosen;
@@ -14,13 +14,14 @@ use homolog_mesh::volume::{
 use homolog_mesh::{Numbering, SurfaceMesh};
 use std::collections::BTreeMap;
 
-/// Most labels that a refusal lists.
+/// Largest number of labels that a refusal lists.
 pub(super) const MAX_NAMED_LABELS: usize = 50;
 
-/// The surface of the chosen labels of `volume`, whose labels have these `names`.
+/// The surface of the selected labels of `volume`, whose labels have these `names`.
 ///
 /// # Errors
-/// [`IntakeError`] if the values are no labels, none of the labels occurs, a limit is exceeded, or smoothing leaves nothing.
+/// [`IntakeError`] if the values are not labels, no selected label occurs, a limit is exceeded, or smoothing leaves
+/// nothing.
 pub(super) fn from_labels(
     volume: &LabelVolume,
     names: &BTreeMap<u32, String>,
@@ -29,7 +30,7 @@ pub(super) fn from_labels(
 ) -> Result<Candidate, IntakeError> {
     let chosen = parameters.labels.as_deref().map(|labels| chosen(labels, names, volume)).transpose()?;
     let (requested, notes) = chosen.map_or((None, Vec::new()), |chosen| (Some(chosen.numbers), chosen.notes));
-    // Names of labels, and labels that a request chooses, say what the values are.
+    // Names of labels, and a request that selects labels, confirm that the values are labels.
     if requested.is_none() && names.is_empty() && !parameters.image_is_labels {
         refuse_image(volume)?;
     }
@@ -45,7 +46,7 @@ pub(super) fn from_labels(
     let (raw, _) = surface_of(&mask, parameters, FieldRepair::default())?;
     let mut work = Work {
         parameters,
-        // Repairs that a request names are those that its sender wants.
+        // Repairs named in a request are intended by its sender.
         asked: parameters.repair.is_some(),
         topology: topology_report(&raw),
         repairs: Vec::new(),
@@ -61,7 +62,7 @@ pub(super) fn from_labels(
     let field_repair = FieldRepair { largest_component: one_piece, fill: allowed.contains(&Repair::Fill) };
     let candidate = match work.filled(&repaired, may_fill, field_repair)? {
         Some(candidate) => candidate,
-        // What no repair changed has its surface already.
+        // The surface of a mask that no repair changed already exists.
         None if !is_changed && is_exact(parameters) => work.candidate(raw),
         None => {
             let (mesh, notes) = surface_of(&repaired, parameters, field_repair)?;
@@ -74,18 +75,18 @@ pub(super) fn from_labels(
     Ok(Candidate { labels: Some(labels), notes, sampling, ..candidate })
 }
 
-/// What was found out and done on the way to a surface.
+/// Findings and repairs on the way to a surface.
 struct Work<'a> {
     parameters: &'a InputParameters,
     asked: bool,
-    /// Of the surface before repairs.
+    /// Topology of the surface before repairs.
     topology: TopologyReport,
     repairs: Vec<RepairNote>,
     warnings: Vec<InputWarning>,
 }
 
 impl Work<'_> {
-    /// The largest piece, after pieces that touch were joined. `None` if there is only one.
+    /// The largest piece, after touching pieces were joined. `None` if there is only one piece.
     fn one_piece(&mut self, mask: &VoxelMask) -> Option<VoxelMask> {
         let joined = volume::join_touching(mask);
         if let Some(joined) = &joined {
@@ -109,7 +110,8 @@ impl Work<'_> {
         Some(piece)
     }
 
-    /// The surface of `repaired` with its tunnels and cavities closed; `None` if it has none, or if smoothing opens others.
+    /// The surface of `repaired` with its tunnels and cavities closed; `None` if it has none, or if smoothing opens
+    /// others.
     fn filled(
         &mut self,
         repaired: &VoxelMask,
@@ -129,7 +131,8 @@ impl Work<'_> {
         }
         let not_again = FieldRepair { fill: false, ..field_repair };
         let (mesh, notes) = surface_of(&filled.mask, self.parameters, not_again)?;
-        // Smoothing may bridge a thin gap or break a thin membrane again; then only the smoothed structure is filled.
+        // Smoothing may bridge a thin gap or break a thin membrane again; in that case only the smoothed structure is
+        // filled.
         if topology_report(&mesh).genus != Some(0) {
             return Ok(None);
         }
@@ -145,7 +148,7 @@ impl Work<'_> {
         Ok(Some(self.candidate(mesh)))
     }
 
-    /// The upload has no vertices, so answers count those of the surface.
+    /// The upload has no vertices, so answers refer to the vertices of the surface.
     fn candidate(&mut self, mesh: SurfaceMesh) -> Candidate {
         let numbering = Numbering::identity(mesh.n_vertices());
         let repairs = std::mem::take(&mut self.repairs);
@@ -154,7 +157,7 @@ impl Work<'_> {
     }
 }
 
-/// Refuses a volume whose values measure something.
+/// Refuses a volume whose values are measurements.
 fn refuse_image(volume: &LabelVolume) -> Result<(), IntakeError> {
     let statistics = ValueStatistics::of(volume);
     if !statistics.look_like_an_image() {
@@ -166,9 +169,9 @@ fn refuse_image(volume: &LabelVolume) -> Result<(), IntakeError> {
 
 /// Refuses structures whose box or surface would be too large, before any surface is made.
 ///
-/// A closed surface has about as many vertices as the structure has boundary faces. `slack` leaves room for what repairs
-/// and smoothing will remove; the vertices of the surface are counted exactly later. `of_all`: no labels were chosen among
-/// several, which is the likely reason.
+/// A closed surface has about as many vertices as the structure has boundary faces. `slack` leaves room for the parts
+/// that repairs and smoothing will remove; the vertices of the surface are counted exactly later. `of_all`: several
+/// labels were used without a selection, which is the likely reason.
 fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool) -> Result<(), IntakeError> {
     let found = mask.dims().iter().map(|&d| d as u64).product();
     let limit = limits.max_voxels;
@@ -192,12 +195,12 @@ fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool)
     Ok(())
 }
 
-/// Whether the surface has the topology of the voxels, so that nothing is left to repair in it.
+/// Whether the surface has the topology of the voxels, so that it needs no further repair.
 fn is_exact(parameters: &InputParameters) -> bool {
     parameters.surface == SurfaceKind::Voxel || parameters.smoothing_mm.is_none()
 }
 
-/// The surface of a structure, and what was repaired in the smoothed structure.
+/// The surface of a structure, and the repairs of the smoothed structure.
 fn surface_of(
     mask: &VoxelMask,
     parameters: &InputParameters,
@@ -222,7 +225,7 @@ fn surface_of(
     Ok((surface.mesh, notes))
 }
 
-/// How much of the volume the smoothing took that a request asked for.
+/// A warning on the volume lost by requested smoothing.
 fn smoothing_warning(mesh: &SurfaceMesh, mask: &VoxelMask, parameters: &InputParameters) -> Option<InputWarning> {
     let smoothing_mm = parameters.smoothing_mm.filter(|mm| *mm > 0.0 && parameters.surface == SurfaceKind::Smooth)?;
     Some(warnings::smoothed(smoothing_mm, mesh.signed_volume() / mask.volume_mm3()))

@@ -1,9 +1,9 @@
-//! From the bytes of an uploaded file to a surface that can be matched, or a refusal that says what is wrong and where.
+//! Turns the bytes of an uploaded file into a surface that can be matched, or into a refusal with the fault and its
+//! position.
 //!
-//! [`prepare_surface`] reads the file, makes a surface, repairs it as far as the parameters allow and checks the result;
-//! [`inspect`] does the same and reports what it found instead of refusing, and
-//! [`shown_surface`] is what a person looks at, also of a refused file. Neither repeats the file's name or text from
-//! the file: both may name a patient.
+//! [`prepare_surface`] reads the file, makes a surface, repairs it as far as the parameters allow and checks the
+//! result. [`inspect`] does the same and reports findings instead of refusing. [`shown_surface`] is a surface to look
+//! at, also of a refused file. None of them repeats the file's name or text from the file: both may name a patient.
 
 mod candidate;
 mod error;
@@ -37,38 +37,38 @@ pub(crate) use warnings::UsedLabels;
 /// A surface that is ready to be matched: its faces agree in orientation and look outwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparedSurface {
-    /// The surface as it is matched, mm; mirrored if that was asked for.
+    /// The surface to be matched, mm; mirrored on request.
     pub mesh: SurfaceMesh,
-    /// Which vertex of the upload each vertex of `mesh` is. For a label volume the upload is the surface made from it,
+    /// For each vertex of `mesh`, its vertex in the upload. For a label volume the upload is the surface made from it,
     /// which is `mesh` itself.
     pub numbering: Numbering,
-    /// The faces of `mesh` over the vertices of the upload, where repairs dropped or merged some; before simplification.
-    /// Of a mirrored surface always there, where it was before.
+    /// The faces of `mesh` over the vertices of the upload, before simplification; present if repairs dropped or merged
+    /// vertices. Always present for a mirrored surface, in its original place.
     restored: Option<SurfaceMesh>,
     /// The plane in which the surface was mirrored.
     mirror: Option<MirrorPlane>,
     /// Vertices that simplification dropped.
     dropped: Vec<Dropped>,
-    /// The labels of which it was made; `None` for meshes.
+    /// The labels the surface was made from; `None` for meshes.
     labels: Option<UsedLabels>,
-    /// What the input was and what was done to it.
+    /// Report on the input and on its changes.
     pub report: InputReport,
 }
 
 impl PreparedSurface {
-    /// The surface whose vertices an answer counts, in the coordinates of the file: the faces that were matched, or those before
-    /// simplification, over all vertices of the upload, including those that no face uses any more.
+    /// The surface whose vertices an answer refers to, in the coordinates of the file: the matched faces, or the faces
+    /// before simplification, over all vertices of the upload, including unused ones.
     pub fn uploaded(&self) -> &SurfaceMesh {
         self.restored.as_ref().unwrap_or(&self.mesh)
     }
 
-    /// Vertices that simplification dropped, with their places on `mesh`.
+    /// Vertices dropped by simplification, with their places on `mesh`.
     pub(crate) fn dropped(&self) -> &[Dropped] {
         &self.dropped
     }
 
-    /// The same surface mirrored, in the left-right axis that its file declares or else its best plane: matched mirrored, answered
-    /// where it is.
+    /// The surface mirrored along the left-right axis declared by its file, or else in its best plane. The mirrored
+    /// surface is matched, and the answer refers to the original place.
     ///
     /// # Errors
     /// [`IntakeError::Unreadable`] if a coordinate overflows.
@@ -96,7 +96,7 @@ impl PreparedSurface {
     }
 }
 
-/// Bounds on what is read, so that no file can demand more memory than the operator allows.
+/// Limits on inputs, so that no file can use more memory than the operator allows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct IntakeLimits {
@@ -104,25 +104,26 @@ pub struct IntakeLimits {
     pub max_bytes: usize,
     /// Largest file after decompression, bytes.
     pub max_inflated_bytes: usize,
-    /// Largest file after decompression, as a multiple of the file as uploaded, above a mebibyte.
+    /// Largest inflation above one mebibyte, as a multiple of the size as uploaded.
     pub max_inflation: usize,
-    /// Most vertices of a surface that is matched: of the simplified one, where `input.max_vertices` is set.
+    /// Largest number of vertices of a matched surface; with `input.max_vertices` it applies to the simplified surface.
     pub max_vertices: usize,
-    /// Most faces of an uploaded mesh, and most vertices of one that is simplified; the surface of a volume is bounded by its vertices.
+    /// Largest number of faces of an uploaded mesh, and of vertices of a surface to be simplified; the surface of a
+    /// volume is bounded by its vertices.
     pub max_faces: usize,
-    /// Most voxels of the box around a structure: filling and smoothing work on the whole box.
+    /// Largest number of voxels of the box around a structure: filling and smoothing work on the whole box.
     pub max_voxels: u64,
-    /// Most memory that one match may take, bytes; it grows with the product of both sizes.
+    /// Largest memory of one match, bytes; it grows with the product of both sizes.
     pub max_match_bytes: u64,
 }
 
-/// The default of [`IntakeLimits::max_faces`]: a closed surface of triangles has two for each vertex.
+/// Default of [`IntakeLimits::max_faces`]: a closed surface of triangles has two per vertex.
 pub const DEFAULT_FACES: usize = 1_000_000;
 
-/// The default of [`IntakeLimits::max_voxels`].
+/// Default of [`IntakeLimits::max_voxels`].
 pub const DEFAULT_VOXELS: u64 = 1 << 23;
 
-/// The default of [`IntakeLimits::max_match_bytes`]: enough for two surfaces of about 12,000 vertices each.
+/// Default of [`IntakeLimits::max_match_bytes`]: enough for two surfaces of about 12,000 vertices each.
 pub const DEFAULT_MATCH_BYTES: u64 = 8 << 30;
 
 impl Default for IntakeLimits {
@@ -139,16 +140,16 @@ impl Default for IntakeLimits {
     }
 }
 
-/// Reads `bytes`, makes a surface, repairs it as far as `parameters` allow, and refuses the result if it has no
-/// consistent orientation, is closed but encloses no volume, or has a boundary that they do not allow. `file_name` is used only where the bytes alone do not
-/// determine the format.
+/// Reads `bytes`, makes a surface, and repairs it as far as `parameters` allow. Refuses the result if it has no
+/// consistent orientation, is closed but encloses no volume, or has a boundary that `parameters` do not allow.
+/// `file_name` is used only if the bytes alone do not determine the format.
 ///
 /// # Errors
 /// [`IntakeError`].
 ///
 /// # Cost
 /// Linear in the file; filling a label volume adds `O(n log n)` in the box around the structure. An unsuitable surface
-/// costs up to four times as much, to find the repair to recommend.
+/// costs up to four times as much, for the search for the recommended repair.
 pub fn prepare_surface(
     bytes: &[u8],
     file_name: Option<&str>,
@@ -181,13 +182,13 @@ pub fn prepare_surface(
     let report =
         InputReport { format, space: Some(space), topology, repairs, turned_outward, notes, warnings, sampling };
     let dropped = whole.as_ref().map(|whole| dropped(&mesh, &numbering, whole)).unwrap_or_default();
-    // What was there before simplification is what an answer counts.
+    // Answers refer to the vertices before simplification.
     let (faces, names) = whole.as_ref().map_or((&mesh, &numbering), |(faces, names)| (faces, names));
     let restored = match &content {
-        // Repairs keep the order of vertices, so a mesh of as many vertices has the numbering of the file.
+        // Repairs keep the order of vertices, so a mesh with as many vertices has the numbering of the file.
         FileContent::Mesh(file) if names.n_vertices() < file.mesh.n_vertices() + added.len() => {
             let mut vertices: Vec<_> = file.mesh.vertices().iter().copied().chain(added).collect();
-            // Closing a tunnel moves some.
+            // Closing a tunnel moves some vertices.
             for (&original, place) in names.originals().iter().zip(faces.vertices()) {
                 vertices[original as usize] = *place;
             }
@@ -213,7 +214,7 @@ fn read(
         return Err(IntakeError::Unreadable(FormatError::Empty));
     }
     let IntakeLimits { max_inflated_bytes, max_inflation, max_vertices, max_faces, .. } = *limits;
-    // A mesh that will be simplified is bounded by its faces alone, of which it has about two for each vertex.
+    // A mesh that will be simplified is bounded by its faces alone, about two per vertex.
     let max_vertices = if parameters.max_vertices.is_some() { max_vertices.max(max_faces) } else { max_vertices };
     let read_limits = ReadLimits { max_inflated_bytes, max_inflation, max_vertices, ..ReadLimits::default() };
     let InputParameters { fraction, apply_transform, labels, .. } = parameters;
@@ -225,12 +226,12 @@ fn read(
     })
 }
 
-/// The same in degrees, with a bound where a rotation is not determined at all.
+/// The sampling in degrees, with a finite bound for an undetermined rotation.
 fn sampling_report(Sampling { noise_mm, rotation_rad }: Sampling) -> SamplingReport {
     SamplingReport { noise_mm, rotation_deg: rotation_rad.to_degrees().min(180.0) }
 }
 
-/// Where the vertices that simplification dropped lie on the surface that it left.
+/// Places of the vertices dropped by simplification on the simplified surface.
 fn dropped(mesh: &SurfaceMesh, numbering: &Numbering, (whole, of_whole): &(SurfaceMesh, Numbering)) -> Vec<Dropped> {
     let kept: HashSet<u32> = numbering.originals().iter().copied().collect();
     let index = ClosestPointIndex::new(mesh);

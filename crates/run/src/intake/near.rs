@@ -1,29 +1,30 @@
-//! Faces that lie beside each other and share no vertices: where corners differ by rounding they are joined, and where faces
-//! still do not hold together the surface is a soup, which is refused.
+//! Faces side by side that share no vertices: corners that differ by rounding are joined. If the faces still do not
+//! hold together, the surface is a soup and is refused.
 
 use homolog_mesh::repair::{RepairedMesh, WeldReport, weld_boundary};
 use homolog_mesh::topology::{SurfaceFault, TopologyReport, topology_report};
 use homolog_mesh::{MeshError, SurfaceMesh};
 
-/// Vertices of boundaries nearer than this share of the median edge are one vertex: far below the detail of any surface, above
-/// the rounding of programs that write few digits.
+/// Distance, as a share of the median edge, below which boundary vertices are joined: far below the detail of any
+/// surface, above the rounding of programs that write few digits.
 const NEAR: f64 = 0.01;
-/// Where vertices that are left on the boundaries of a soup are nearer than this many tolerances, it was joined in part.
+/// Distance, in tolerances, below which vertices left on the boundaries of a soup show that it was joined only in part.
 const LEFT_NEAR: f64 = 8.0;
-/// A soup has fewer faces a piece than this. No closed piece has: a tetrahedron has four, but no boundary.
+/// Faces per piece below which a surface is a soup. Closed pieces are exempt: a tetrahedron has four faces but no
+/// boundary.
 const FACES_OF_A_PIECE: u32 = 8;
 
-/// What [`weld_near`] did.
+/// Result of [`weld_near`].
 pub(super) struct Joined {
     pub welded: RepairedMesh,
-    /// A sentence about it.
+    /// A sentence on the repair.
     pub detail: String,
-    /// Whether corners of a soup are left that are a little farther apart, so that it has holes where none were.
+    /// Whether corners slightly farther apart remain, so that the surface has holes that the soup did not have.
     pub in_part: bool,
 }
 
-/// `mesh` with the vertices of its boundaries joined that lie nearer to each other than [`NEAR`] median edges; `None` if that
-/// closes no boundary.
+/// `mesh` with boundary vertices joined that lie within [`NEAR`] median edges of each other; `None` if that closes no
+/// boundary.
 ///
 /// # Errors
 /// [`MeshError::Empty`] if no face is left.
@@ -39,7 +40,7 @@ pub(super) fn weld_near(mesh: &SurfaceMesh) -> Result<Option<Joined>, MeshError>
     let (welded, found) = weld_boundary(mesh, tolerance_mm)?;
     let WeldReport { n_merged, n_collapsed, largest_mm, n_degenerate, n_duplicate } = found;
     let after = topology_report(&welded.mesh);
-    // An edge that is short is detail, not a seam.
+    // A short edge is detail, not a seam.
     if n_merged == n_collapsed || after.n_boundary_edges >= before.n_boundary_edges {
         return Ok(None);
     }
@@ -58,7 +59,7 @@ pub(super) fn weld_near(mesh: &SurfaceMesh) -> Result<Option<Joined>, MeshError>
     Ok(Some(Joined { welded, detail, in_part }))
 }
 
-/// The length of the middle one of all edges of all faces, mm.
+/// The median length of all edges of all faces, mm.
 fn median_edge(mesh: &SurfaceMesh) -> f64 {
     let v = mesh.vertices();
     let edges = mesh.faces().flat_map(|face| (0..face.len()).map(move |k| (face[k], face[(k + 1) % face.len()])));
@@ -76,7 +77,7 @@ pub(super) fn soup(report: &TopologyReport) -> Option<SurfaceFault> {
     is_soup.then(|| soup_fault(report))
 }
 
-/// That the faces of a surface do not hold together.
+/// The fault of a surface whose faces do not hold together.
 pub(super) fn soup_fault(report: &TopologyReport) -> SurfaceFault {
     let TopologyReport { n_faces, n_components, n_boundary_edges, .. } = *report;
     SurfaceFault::Soup { n_faces, n_components, n_edges: n_boundary_edges }

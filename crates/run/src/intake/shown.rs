@@ -1,18 +1,18 @@
-//! The surface of an input to look at, also of one that is refused.
+//! The surface of an input for display, also of a refused input.
 
 use super::{IntakeError, IntakeLimits, prepare_surface, read};
 use homolog_contract::parameters::InputParameters;
 use homolog_formats::FileContent;
 use homolog_mesh::SurfaceMesh;
 
-/// The surface that would be matched; of a mesh that is refused, the surface as it is in the file, on which the places that
-/// [`IntakeError::place_mm`] names can be shown.
+/// The surface that would be matched; for a refused mesh, the surface in the file, on which the places named by
+/// [`IntakeError::place_mm`] can be shown.
 ///
 /// # Errors
-/// [`IntakeError`] if there is no surface: the file cannot be read, or is a label volume of which none can be made.
+/// [`IntakeError`] if there is no surface: the file cannot be read, or is a label volume from which none can be made.
 ///
 /// # Cost
-/// As [`super::prepare_surface`].
+/// The cost of [`super::prepare_surface`].
 pub fn shown_surface(
     bytes: &[u8],
     file_name: Option<&str>,

@@ -1,20 +1,20 @@
-//! Splitting where a surface is no manifold: parts that share an edge with further faces, or one vertex only, each get
-//! vertices of their own. Nothing moves.
+//! Splits a surface where it is not a manifold: parts that share an edge with further faces, or only one vertex, get
+//! separate vertices. Nothing moves.
 
 use homolog_mesh::{MeshError, SurfaceMesh};
 
 /// A split surface.
 pub(super) struct Split {
-    /// The surface: the vertices as before, then the copies.
+    /// The surface: the original vertices, then the copies.
     pub(super) mesh: SurfaceMesh,
-    /// For each copy, the vertex that it copies.
+    /// For each copy, the copied vertex.
     pub(super) copies: Vec<u32>,
-    /// Edges that had more than two faces.
+    /// Number of edges that had more than two faces.
     pub(super) n_edges: usize,
 }
 
-/// `mesh` with a vertex for each fan of faces, where two faces belong to one fan of a vertex if they share an edge there that
-/// has no further face. `None` if every vertex has one fan already.
+/// `mesh` with a separate vertex for each fan of faces. Two faces belong to one fan of a vertex if they share an edge
+/// at it that has no further face. `None` if every vertex already has a single fan.
 ///
 /// # Errors
 /// None for a valid mesh.
@@ -50,7 +50,7 @@ pub(super) fn split(mesh: &SurfaceMesh) -> Result<Option<Split>, MeshError> {
         }
     }
     let n_vertices = mesh.n_vertices() as u32;
-    // The first fan of a vertex keeps it.
+    // The first fan of a vertex keeps the vertex.
     let mut first_fan = vec![u32::MAX; mesh.n_vertices()];
     let mut copy_of_fan = vec![u32::MAX; mesh.indices().len()];
     let mut copies = Vec::new();

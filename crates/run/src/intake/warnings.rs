@@ -1,4 +1,4 @@
-//! What is said about an input whose surface may not be the structure that was meant: pieces dropped, labels joined, cavities
+//! Warnings on an input whose surface may not be the intended structure: pieces dropped, labels joined, cavities
 //! filled.
 
 use super::counted;
@@ -8,19 +8,19 @@ use homolog_contract::result::UnreliableReason;
 use homolog_mesh::volume::{BettiNumbers, FillChange, LabelVolume};
 use std::collections::BTreeMap;
 
-/// Share of a structure from which a change that nobody asked for is a reason to doubt the answer: as much as two
-/// segmentations of one structure by one hand differ by.
+/// Share of a structure above which an unrequested change puts the answer in doubt: the difference between two
+/// segmentations of one structure by one person.
 const GRAVE_SHARE: f64 = 0.05;
 
-/// Most labels that a warning lists.
+/// Largest number of labels that a warning lists.
 const MAX_LISTED: usize = 8;
 
-/// The labels of which a surface was made.
+/// The labels a surface was made from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UsedLabels {
-    /// Those of them that occur, ascending.
+    /// The labels that occur, ascending.
     labels: Vec<u32>,
-    /// Whether a request chose them.
+    /// Whether a request selected them.
     asked: bool,
 }
 
@@ -31,12 +31,12 @@ impl UsedLabels {
         UsedLabels { labels, asked: requested.is_some() }
     }
 
-    /// Whether several labels became one structure although nobody asked for it.
+    /// Whether several labels became one structure without a request.
     pub(crate) fn are_joined_unasked(&self) -> bool {
         !self.asked && self.labels.len() > 1
     }
 
-    /// Whether two surfaces were made of different labels, some of which were joined unasked.
+    /// Whether two surfaces were made from different labels, some of which were joined without a request.
     pub(crate) fn disagree(&self, other: &UsedLabels) -> bool {
         self.labels != other.labels && (self.are_joined_unasked() || other.are_joined_unasked())
     }
@@ -67,8 +67,8 @@ impl UsedLabels {
     }
 }
 
-/// That only the largest of `n_pieces` was kept and the others, a `share` of the `measure`, were dropped; `asked`: the request
-/// names the repair.
+/// Warning that only the largest of `n_pieces` was kept and the others, a `share` of the `measure`, were dropped;
+/// `asked` if the request names the repair.
 pub(super) fn piece_dropped(n_pieces: usize, share: f64, measure: &str, asked: bool) -> InputWarning {
     let n_dropped = n_pieces - 1;
     let detail = format!(
@@ -81,12 +81,12 @@ pub(super) fn piece_dropped(n_pieces: usize, share: f64, measure: &str, asked: b
     InputWarning { reason, detail }
 }
 
-/// That cavities and tunnels of a structure were closed, which had `n_voxels` and enclosed `n_enclosed` others. `None` if only a
-/// small tunnel or a contact was.
+/// Warning that cavities and tunnels were closed in a structure of `n_voxels` that enclosed `n_enclosed` others. `None`
+/// if only a small tunnel or a contact was closed.
 pub(super) fn filled(change: FillChange, n_enclosed: usize, n_voxels: usize, asked: bool) -> Option<InputWarning> {
     let BettiNumbers { n_tunnels, n_cavities, .. } = change.before;
     let share = |n: usize| n as f64 / n_voxels.max(1) as f64;
-    // A cavity is closed by few voxels too where its wall is opened.
+    // Opening the wall of a cavity also changes only a few voxels.
     let grave = share(change.n_changed().max(n_enclosed)) >= GRAVE_SHARE;
     if n_cavities == 0 && !grave {
         return None;
@@ -103,7 +103,7 @@ pub(super) fn filled(change: FillChange, n_enclosed: usize, n_voxels: usize, ask
     Some(InputWarning { reason: (grave && !asked).then_some(UnreliableReason::CavityFilled), detail })
 }
 
-/// That the volume became `ratio` times as large by the smoothing that a request asked for.
+/// Warning that requested smoothing changed the volume by the factor `ratio`.
 pub(super) fn smoothed(smoothing_mm: f64, ratio: f64) -> InputWarning {
     let what = if ratio <= 1.0 { "took" } else { "added" };
     let detail = format!(
@@ -113,7 +113,7 @@ pub(super) fn smoothed(smoothing_mm: f64, ratio: f64) -> InputWarning {
     InputWarning { reason: None, detail }
 }
 
-/// A share in percent, with two significant digits where it is small.
+/// A share in percent, with two significant digits if it is small.
 fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     let digits = if percent >= 10.0 { 0 } else { (1.0 - percent.max(1e-3).log10().floor()) as usize };

@@ -1,8 +1,8 @@
-//! One page for one match: the verdict first, both surfaces to turn with the mouse, and the numbers.
+//! One page per match: the verdict first, both surfaces to rotate with the mouse, and the numbers.
 //!
-//! The page is one HTML file that loads nothing. Its policy allows its own script and style, named by their hashes, and
-//! nothing else. It contains no file names. No library draws the surfaces: a viewer of two meshes is 130 lines of WebGL, and
-//! the smallest library that has one is larger than the data.
+//! The page is one HTML file that loads nothing. Its policy allows only its own script and style, named by their
+//! hashes. It contains no file names. The viewer of two meshes is 130 lines of WebGL without a library; the smallest
+//! library with such a viewer is larger than the data.
 
 mod plot;
 
@@ -24,14 +24,14 @@ use crate::warped::{WarpError, warp};
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
-/// What a page shows.
+/// Content of a page.
 #[derive(Debug, Clone, Copy)]
 pub struct ReportInputs<'a> {
     /// The result; its own correspondences are not used.
     pub document: &'a ResultDocument,
     /// The correspondences.
     pub correspondences: &'a Correspondences,
-    /// The source surface, whose vertices the correspondences count.
+    /// The source surface, to whose vertices the correspondences refer.
     pub source: &'a SurfaceMesh,
     /// The target surface.
     pub target: &'a SurfaceMesh,
@@ -42,10 +42,10 @@ pub struct ReportInputs<'a> {
 /// The page as HTML.
 ///
 /// # Errors
-/// [`WarpError`] if the correspondences are not of these surfaces.
+/// [`WarpError`] if the correspondences do not belong to these surfaces.
 ///
 /// # Cost
-/// Linear in the size of both surfaces; about 100 bytes a vertex.
+/// Linear in the size of both surfaces; about 100 bytes per vertex.
 pub fn write_report(inputs: &ReportInputs<'_>) -> Result<String, WarpError> {
     let view = View::new(inputs)?;
     let body = [verdict(inputs), view.section, numbers(inputs), energy(inputs), provenance(inputs.document)].concat();
@@ -60,7 +60,7 @@ pub fn write_report(inputs: &ReportInputs<'_>) -> Result<String, WarpError> {
     Ok(page.html())
 }
 
-/// The verdict, why, and what to check.
+/// The verdict, its reasons, and points to check.
 fn verdict(inputs: &ReportInputs<'_>) -> String {
     let verdict = inputs.document.verdict();
     let class = match verdict.reliable {
@@ -96,7 +96,7 @@ fn verdict(inputs: &ReportInputs<'_>) -> String {
 /// The view of both surfaces.
 struct View {
     section: String,
-    /// What the script draws.
+    /// Data drawn by the script.
     data: Value,
 }
 
@@ -107,19 +107,19 @@ impl View {
         let bent = warp([source, target], correspondences, matrix, WarpDirection::Forward, WarpSpace::Target)?.mesh;
         let rigid = source.moved(matrix)?;
         let colors = Colors::new(correspondences, &rigid, &bent, target);
-        let (centre, radius, turn) = frame(target.vertices(), rigid.vertices());
+        let (center, radius, turn) = frame(target.vertices(), rigid.vertices());
         let data = json!({
             "radius": radius,
             "turn": turn,
             "surfaces": [
                 {
-                    "points": points(&rigid, &centre),
-                    "bent": points(&bent, &centre),
+                    "points": points(&rigid, &center),
+                    "bent": points(&bent, &center),
                     "triangles": triangles(&rigid),
                     "colors": colors.source.map(|bytes| BASE64.encode(bytes)),
                 },
                 {
-                    "points": points(target, &centre),
+                    "points": points(target, &center),
                     "triangles": triangles(target),
                     "colors": colors.target.map(|bytes| BASE64.encode(bytes)),
                 },
@@ -146,24 +146,24 @@ impl View {
     }
 }
 
-/// Centre, radius and first rotation of the view: the longest axis of the target from left to right, the shortest towards
+/// Center, radius and first rotation of the view: the longest axis of the target from left to right, the shortest towards
 /// the viewer.
 fn frame(target: &[Point3<f64>], source: &[Point3<f64>]) -> (Point3<f64>, f64, Vec<f64>) {
     let n = target.len().max(1) as f64;
-    let centre = Point3::from(target.iter().map(|p| p.coords).sum::<Vector3<f64>>() / n);
-    let scatter: Matrix3<f64> = target.iter().map(|p| (p - centre) * (p - centre).transpose()).sum();
+    let center = Point3::from(target.iter().map(|p| p.coords).sum::<Vector3<f64>>() / n);
+    let scatter: Matrix3<f64> = target.iter().map(|p| (p - center) * (p - center).transpose()).sum();
     let axes = scatter.symmetric_eigen();
     let mut order = [0, 1, 2];
     order.sort_by(|&a, &b| axes.eigenvalues[b].total_cmp(&axes.eigenvalues[a]));
     let [x, y] = [order[0], order[1]].map(|k| axes.eigenvectors.column(k).into_owned());
     let rows = [x, y, x.cross(&y)];
-    let reach = target.iter().chain(source).map(|p| (p - centre).norm()).fold(0.0, f64::max);
-    (centre, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
+    let reach = target.iter().chain(source).map(|p| (p - center).norm()).fold(0.0, f64::max);
+    (center, reach.max(f64::MIN_POSITIVE), rows.iter().flat_map(|row| row.iter().copied()).collect())
 }
 
-/// Positions about `centre`, three little-endian numbers of four bytes each, in base64.
-fn points(mesh: &SurfaceMesh, centre: &Point3<f64>) -> String {
-    let numbers = mesh.vertices().iter().flat_map(|p| [p.x - centre.x, p.y - centre.y, p.z - centre.z]);
+/// Positions about `center`, three little-endian numbers of four bytes each, in base64.
+fn points(mesh: &SurfaceMesh, center: &Point3<f64>) -> String {
+    let numbers = mesh.vertices().iter().flat_map(|p| [p.x - center.x, p.y - center.y, p.z - center.z]);
     BASE64.encode(numbers.flat_map(|x| (x as f32).to_le_bytes()).collect::<Vec<u8>>())
 }
 
@@ -222,7 +222,7 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
             format!("of curvatures {:.2}, of normals {:.2}", found.curvature_agreement, found.normal_agreement),
         ));
         if let Some(distortion) = found.distortion {
-            // Of the logarithm; people see more in how far a circle is drawn out.
+            // The distortion is logarithmic; the stretching of a circle is easier to picture.
             let longer = 100.0 * distortion.exp_m1();
             rows.push(("distortion", format!("small circles become {longer:.0} % longer than wide, on average")));
         }
@@ -282,7 +282,7 @@ fn energy(inputs: &ReportInputs<'_>) -> String {
     )
 }
 
-/// Inputs, program and parameters: what is needed to compute the answer again.
+/// Inputs, program and parameters: the information needed to compute the answer again.
 fn provenance(document: &ResultDocument) -> String {
     let p = &document.provenance;
     let total = document.timings_ms.get("total").copied().unwrap_or(0.0);
@@ -301,7 +301,7 @@ fn provenance(document: &ResultDocument) -> String {
     )
 }
 
-/// One input: its hash, its size, and what was done to it.
+/// One input: its hash, its size, and its changes.
 fn input(input: &InputProvenance) -> String {
     let report = &input.report;
     let mut html = format!(
@@ -353,7 +353,7 @@ mod tests {
         for reference in ["http://", "https://", "src=", "href=", "style=", "url(", "@import", "onclick="] {
             assert!(!page.contains(reference), "{reference}");
         }
-        // What runs is what the policy names.
+        // The scripts that run are the ones the policy names.
         let inside = |open: &str, close: &str| {
             let (_, rest) = page.split_once(open).unwrap();
             rest.split_once(close).unwrap().0.to_owned()
@@ -373,7 +373,8 @@ mod tests {
             assert_eq!(length(&surface["triangles"]), 12 * output.source.n_faces());
             assert!(surface["colors"].as_array().unwrap().iter().all(|colors| length(colors) == 3 * n));
         }
-        // Texts of people and of files stay texts: names of labels, what readers say, warnings, the program's own.
+        // Texts from people and files stay texts: names of labels, messages of readers, warnings, and the program's
+        // own.
         let markup = "</script><img src=x onerror=alert(1)>";
         let mut document = output.document.clone();
         let label = LabelChoice::Name(markup.to_owned());

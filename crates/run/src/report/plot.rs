@@ -9,12 +9,12 @@ const LEFT: f64 = 70.0;
 const RIGHT: f64 = 750.0;
 const TOP: f64 = 14.0;
 const BOTTOM: f64 = 205.0;
-/// Most points of the curve: more than the page has pixels.
+/// Largest number of points of the curve: more than the page has pixels.
 const MOST_POINTS: usize = 1500;
 
-/// The energies of the iterations in `phase`, after `initial`; `None` without two finite values. Points of different rounds or starts are
-/// not joined, and means of starts are left out, which are another quantity. The axis is logarithmic where all are positive and the
-/// largest is more than ten times the smallest.
+/// The energies of the iterations in `phase`, after `initial`; `None` without two finite values. Points of different
+/// rounds or starts are not joined. Means of starts are left out, because they are a different quantity. The axis is
+/// logarithmic if all values are positive and the largest is more than ten times the smallest.
 pub(super) fn energy_plot(initial: Option<f64>, phase: Phase, trace: &[TracePoint]) -> Option<String> {
     let iterations: Vec<(f64, (u32, Option<u32>))> = trace
         .iter()

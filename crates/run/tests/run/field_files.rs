@@ -152,18 +152,18 @@ fn what_an_input_contradicts_is_in_report_verdict_and_page() {
 
 #[test]
 fn surfaces_in_different_units_are_said_to_be() {
-    let metres = {
+    let meters = {
         let mesh = prepare(&fixture("field/reference.ply"), &input(json!({}))).unwrap().mesh;
         let vertices = mesh.vertices().iter().map(|p| p * 1e-3).collect();
         write_ply(&SurfaceMesh::new(vertices, FaceArity::Triangle, mesh.indices().to_vec()).unwrap())
     };
-    let output = matched(&fixture("field/reference.ply"), &metres, &json!({"method": "rigid"}));
+    let output = matched(&fixture("field/reference.ply"), &meters, &json!({"method": "rigid"}));
     let verdict = output.document.verdict();
     assert!(verdict.reasons.contains(&UnreliableReason::UnitsDiffer), "{:?}", verdict.reasons);
     assert!(page(&output).contains("near 1000"));
     // Stated, the unit is applied, and nothing is left to say.
-    let stated = String::from_utf8_lossy(&metres).find("comment").unwrap();
-    let mut bytes = metres.clone();
+    let stated = String::from_utf8_lossy(&meters).find("comment").unwrap();
+    let mut bytes = meters.clone();
     bytes.splice(stated..stated, *b"comment units: m\n");
     let output = matched(&fixture("field/reference.ply"), &bytes, &json!({"method": "rigid"}));
     assert!(!output.document.verdict().reasons.contains(&UnreliableReason::UnitsDiffer));

@@ -502,12 +502,12 @@ mod real_data {
     #[ignore = "needs real data (formats)"]
     fn left_structures_of_a_freesurfer_volume_lie_left_of_right_ones() {
         let bytes = std::fs::read(real("formats/mgz/aparc+aseg.mgz")).unwrap();
-        let centre = |label: u32| {
+        let center = |label: u32| {
             let parameters = resolve(&json!({"input": {"labels": label}})).unwrap().input;
             prepare(&bytes, &parameters).unwrap().mesh.centroid()
         };
         for (left, right) in [(17, 53), (18, 54), (11, 50), (12, 51), (10, 49)] {
-            let (left, right) = (centre(left), centre(right));
+            let (left, right) = (center(left), center(right));
             assert!(left.x + 20.0 < right.x && (left.y - right.y).abs() < 8.0, "{left} {right}");
         }
     }

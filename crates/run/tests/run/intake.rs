@@ -25,7 +25,7 @@ fn with_repair(repair: &[Repair]) -> InputParameters {
     InputParameters { repair: Some(repair.to_vec()), ..defaults() }
 }
 
-/// A volume of 20 x 16 x 12 voxels of 1 mm; `inside` sees millimetres from its middle.
+/// A volume of 20 x 16 x 12 voxels of 1 mm; `inside` sees millimeters from its middle.
 fn volume(label: impl Fn([f64; 3]) -> u32) -> LabelVolume {
     let dims = [20, 16, 12];
     let place = |k: usize| [k % 20, k / 20 % 16, k / 320];

@@ -1,4 +1,5 @@
-//! The model against slow, obvious ones: a thin SVD of all coordinates, models made anew without each subject.
+//! The model compared with slow, obvious ones: a thin SVD of all coordinates, and models made anew without each
+//! subject.
 
 use super::*;
 use crate::align::{align, rms};

@@ -1,4 +1,5 @@
-//! Who is in the statistics: covariates and sizes by group, degrees of freedom, and whether enough permutations are possible.
+//! Subjects of the statistics: covariates and sizes by group, degrees of freedom, and the number of possible
+//! permutations.
 
 use super::table;
 use crate::cohort::{Covariate, Values};
@@ -7,16 +8,16 @@ use crate::plan::Study;
 use homolog_run::page::escaped;
 use std::collections::BTreeMap;
 
-/// Fewer different permutations than this are said to be few: no p below 0.001 is possible.
+/// Number of different permutations below which they are reported as few: no p below 0.001 is possible.
 const FEW_PERMUTATIONS: f64 = 1000.0;
 
-/// Subjects of the model that are compared, by their name.
+/// Subjects of the model that are compared, with the name of the group.
 struct Group {
     name: String,
     members: Vec<usize>,
 }
 
-/// All members of the model, and those of each level of the effect, if that is a factor.
+/// All members of the model and, if the effect is a factor, those of each of its levels.
 fn groups(study: &Study, found: &Findings) -> Vec<Group> {
     let mut groups = vec![Group { name: "all".to_owned(), members: found.members.clone() }];
     let effect = study.settings.analysis.effect.as_ref().and_then(|name| study.cohort.covariate(name));
@@ -31,7 +32,7 @@ fn groups(study: &Study, found: &Findings) -> Vec<Group> {
     groups
 }
 
-/// `n`, mean and standard deviation, and the range, of the values that are there.
+/// `n`, mean and standard deviation, and the range, of the available values.
 fn moments(values: &[f64]) -> String {
     let n = values.len();
     if n == 0 {
@@ -44,7 +45,7 @@ fn moments(values: &[f64]) -> String {
     format!("{}{sd} ({} to {}; n {n})", short(mean), short(low), short(high))
 }
 
-/// A number with as many digits as its size has use for.
+/// A number with digits appropriate to its size.
 fn short(value: f64) -> String {
     let digits = if value.abs() >= 100.0 { 0 } else { 2 };
     format!("{value:.digits$}").replace('-', "−")
@@ -92,7 +93,7 @@ pub(super) fn section(study: &Study, found: &Findings) -> String {
     )
 }
 
-/// Subjects, columns and degrees of freedom of the statistics, and a warning where few permutations are possible.
+/// Subjects, columns and degrees of freedom of the statistics, and a warning if few permutations are possible.
 pub(super) fn degrees(study: &Study, found: &Findings) -> String {
     let Some(statistics) = &found.statistics else { return String::new() };
     let (n, p) = (statistics.design.rows.len(), statistics.design.columns.len());
@@ -121,7 +122,7 @@ pub(super) fn degrees(study: &Study, found: &Findings) -> String {
     html
 }
 
-/// In how many ways the values of a covariate can be distributed over subjects: `n! / Π mᵢ!` for values that occur `mᵢ` times.
+/// Number of ways to distribute the values of a covariate over subjects: `n! / Π mᵢ!` for values that occur `mᵢ` times.
 fn arrangements(rows: &[usize], values: &Values) -> f64 {
     let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
     let mut n = 0;
@@ -135,7 +136,7 @@ fn arrangements(rows: &[usize], values: &Values) -> f64 {
             n += 1;
         }
     }
-    // A product of binomial coefficients, which stays exact as long as it is small.
+    // A product of binomial coefficients, which is exact as long as it is small.
     let mut left = n;
     counts.into_values().fold(1.0, |all, m| {
         let chosen = (0..m).fold(1.0, |all, i| all * (left - i) as f64 / (i + 1) as f64);

@@ -1,4 +1,4 @@
-//! How the study was done, in words for a supplement, with versions and parameters.
+//! Description of the methods of the study for a supplement, with versions and parameters.
 
 use super::escaped;
 use crate::findings::Findings;

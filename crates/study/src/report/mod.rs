@@ -1,7 +1,8 @@
-//! One page for a study: quality control first, maps and modes to turn with the mouse, effects, the model, and how it was done.
+//! One page per study: quality control first, maps and modes to rotate with the mouse, effects, the model, and the
+//! methods.
 //!
-//! The page is one HTML file that loads nothing, like that of a match (`homolog_run::write_report`); its policy allows its own
-//! script and style, named by their hashes, and nothing else.
+//! The page is one HTML file that loads nothing, like the page of a match (`homolog_run::write_report`). Its policy
+//! allows only its own script and style, named by their hashes.
 
 mod demographics;
 mod methods;
@@ -26,7 +27,7 @@ use std::fmt::Write;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
-/// Most pictures of quality control, and most vertices of all of them together.
+/// Largest number of pictures of quality control, and of vertices of all of them together.
 const MAX_PICTURES: usize = 12;
 const MAX_PICTURE_VERTICES: usize = 120_000;
 /// Modes on the page.
@@ -37,7 +38,7 @@ const SHOWN_SUBJECTS: usize = 200;
 /// The page as HTML.
 ///
 /// # Errors
-/// Those of reading records; [`StudyError::Interrupted`].
+/// Errors of reading records; [`StudyError::Interrupted`].
 pub(crate) fn page(
     study: &Study,
     found: &Findings,
@@ -88,7 +89,7 @@ fn summary(found: &Findings) -> String {
     format!("<p class=\"summary\">{}. {flagged} to look at.</p>\n", parts.join(", "))
 }
 
-/// A table with a header; cells that are numbers are set as such.
+/// A table with a header; numeric cells are formatted as numbers.
 fn table(header: &[&str], rows: &[Vec<String>], class: &str) -> String {
     let head: String = header.iter().map(|name| format!("<th scope=\"col\">{name}</th>")).collect();
     let cell = |text: &String| {
@@ -109,7 +110,7 @@ fn p_value(p: f64) -> String {
     if p < 0.001 { "&lt; 0.001".to_owned() } else { format!("{p:.3}") }
 }
 
-/// A reason to doubt a match, and the step where a study has one of its own.
+/// A reason to doubt a match, with advice specific to studies where there is one.
 fn reason_in_words(reason: &str) -> String {
     let words = escaped(&reason.replace('_', " "));
     if reason == UnreliableReason::OtherHandedness.name() {
@@ -178,7 +179,7 @@ fn base64(numbers: impl Iterator<Item = f64>) -> String {
     BASE64.encode(numbers.flat_map(|x| (x as f32).to_le_bytes()).collect::<Vec<u8>>())
 }
 
-/// Values from −127 to 127, and the value that is 127: the 99th percentile of their sizes.
+/// Values from −127 to 127, and the value represented by 127: the 99th percentile of their magnitudes.
 fn scaled(values: &[f64]) -> (String, f64) {
     let mut sizes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
     sizes.sort_by(f64::total_cmp);
@@ -206,7 +207,7 @@ impl View {
             }));
         }
         if maps.is_empty() {
-            // Without an effect, how much the group varies along the normal.
+            // Without an effect: the variation of the group along the normal.
             let normals = mean.vertex_normals();
             let spread: Vec<f64> = (0..mean.n_vertices())
                 .map(|v| {

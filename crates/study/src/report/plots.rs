@@ -1,4 +1,4 @@
-//! Plots as SVG, without styles of their own: the policy of the page allows no style attributes.
+//! Plots as SVG, without inline styles: the policy of the page allows no style attributes.
 
 use super::{escaped, signed};
 use crate::findings::WholeEffect;

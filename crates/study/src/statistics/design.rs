@@ -1,26 +1,26 @@
-//! The design matrix of an analysis: covariates to columns, and contrasts of these.
+//! The design matrix of an analysis: columns from covariates, and contrasts of these columns.
 
 use crate::cohort::{Cohort, Values};
 use crate::settings::Analysis;
 use crate::statistics::linear::independent;
 use faer::Mat;
 
-/// Most contrasts besides those of the effect: each has maps of every measure.
+/// Largest number of contrasts besides those of the effect: each has maps of every measure.
 pub const MAX_CONTRASTS: usize = 100;
 
-/// A design: a row for each subject that has all covariates, a column for the mean, for each number, and for each level of a
-/// factor but its reference.
+/// A design: a row for each subject with all covariates; a column for the mean, for each number, and for each level of
+/// a factor except its reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
-    /// Places in the cohort of the subjects that are rows.
+    /// Indices in the cohort of the subjects that are rows.
     pub rows: Vec<usize>,
-    /// Subjects that were asked for and have a missing value.
+    /// Requested subjects with a missing value.
     pub incomplete: Vec<usize>,
     /// Names of the columns: `mean`, `age`, `group:patient`.
     pub columns: Vec<String>,
     /// The matrix. Numbers are centered, so that `mean` is the mean of the reference levels at the mean of all numbers.
     pub matrix: Mat<f64>,
-    /// What is tested.
+    /// The tested contrasts.
     pub contrasts: Vec<Contrast>,
 }
 
@@ -29,11 +29,11 @@ pub struct Design {
 pub struct Contrast {
     /// Its name in files: letters, digits, `_`, `-` and `.`.
     pub name: String,
-    /// What it is, for people.
+    /// Its meaning, for people.
     pub meaning: String,
     /// The weight of each column.
     pub weights: Vec<f64>,
-    /// Whether it compares levels of a factor, so that an effect size is a difference over a standard deviation.
+    /// Whether it compares levels of a factor, which makes its effect size a difference over a standard deviation.
     pub of_levels: bool,
 }
 
@@ -41,8 +41,8 @@ impl Design {
     /// The design of an analysis over these subjects of the cohort.
     ///
     /// # Errors
-    /// What is wrong with the analysis, in words: a covariate or a level that does not exist, too few subjects, columns of
-    /// which one follows from others.
+    /// The fault of the analysis, in words: a covariate or a level that does not exist, too few subjects, linearly
+    /// dependent columns.
     pub fn new(cohort: &Cohort, subjects: &[usize], analysis: &Analysis) -> Result<Self, String> {
         if analysis.contrasts.len() > MAX_CONTRASTS {
             return Err(format!(

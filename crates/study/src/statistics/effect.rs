@@ -1,8 +1,8 @@
 //! Effect sizes with intervals, and power.
 //!
-//! A contrast with weights `a` of the observations has `t = d / ‖a‖`, where `d` is the effect over the standard deviation of
-//! the residuals (Cohen's d). With normal residuals `t` has a noncentral t distribution with noncentrality `δ / ‖a‖` for a
-//! true `δ`: its quantiles give exact intervals of `δ`, its tails power.
+//! A contrast with weights `a` of the observations has `t = d / ‖a‖`, where `d` is the effect over the standard
+//! deviation of the residuals (Cohen's d). With normal residuals `t` has a noncentral t distribution with noncentrality
+//! `δ / ‖a‖` for a true `δ`: its quantiles give exact intervals of `δ`, and its tails give power.
 //!
 //! Sources: Hedges, Olkin, *Statistical methods for meta-analysis*, 1985; Cumming, Finch 2001 (intervals); Cohen 1988
 //! (power).
@@ -24,18 +24,19 @@ pub struct Effect {
     pub interval: [f64; 2],
     /// t, with the robust standard error.
     pub t: f64,
-    /// Two-sided p of that t.
+    /// Two-sided p of the robust t.
     pub p: f64,
     /// The effect over the standard deviation of the residuals, corrected for small samples.
     pub g: f64,
-    /// The ends of its exact 95 % interval.
+    /// The ends of the exact 95 % interval of `g`.
     pub g_interval: [f64; 2],
 }
 
-/// `P(T ≤ t)` of the noncentral t distribution: the integral of a normal distribution over that of the standard deviation.
+/// `P(T ≤ t)` of the noncentral t distribution: the integral of a normal distribution over the distribution of the
+/// standard deviation.
 pub fn noncentral_t_cdf(t: f64, degrees: f64, noncentrality: f64) -> f64 {
     let (normal, Ok(gamma)) = (Normal::standard(), Gamma::new(degrees / 2.0, degrees / 2.0)) else { return f64::NAN };
-    // s² is gamma distributed; beyond 12 of its deviations there is nothing.
+    // s² is gamma distributed; the density beyond 12 of its deviations is negligible.
     let width = 12.0 / (2.0 * degrees).sqrt();
     let (low, high) = ((1.0 - width).max(0.0), 1.0 + width);
     let at =
@@ -74,8 +75,8 @@ pub fn power(d: f64, degrees: f64, length: f64, alpha: f64) -> f64 {
     1.0 - noncentral_t_cdf(critical, degrees, noncentrality) + noncentral_t_cdf(-critical, degrees, noncentrality)
 }
 
-/// The least number of subjects, in the proportions of this design of `n` subjects and `p` columns, at which a true effect
-/// `d` is found with a power; `None` above a hundred thousand.
+/// The smallest number of subjects, in the proportions of this design of `n` subjects and `p` columns, at which a true
+/// effect `d` is found with the given power; `None` above a hundred thousand.
 pub fn subjects_needed(d: f64, n: usize, p: usize, length: f64, alpha: f64, wanted: f64) -> Option<usize> {
     // The weights of m subjects in the same proportions have the length of those of n, times √(n / m).
     let enough = |m: usize| power(d, (m - p) as f64, length * (n as f64 / m as f64).sqrt(), alpha) >= wanted;

@@ -1,8 +1,8 @@
 //! The general linear model at every vertex, with classical and robust standard errors.
 //!
-//! `y = X β + ε`. A contrast `c` of the coefficients is a sum of the observations, `c·β̂ = a·y` with `a = X (XᵀX)⁻¹ c`, so
-//! that everything about it follows from `a`, from the residuals `e`, and from the leverages `h`:
-//! classical variance `σ̂² ‖a‖²`; robust to unequal variances (HC3) `Σ aᵢ² eᵢ² / (1 − hᵢ)²`.
+//! The model is `y = X β + ε`. A contrast `c` of the coefficients is a sum of the observations, `c·β̂ = a·y` with `a =
+//! X (XᵀX)⁻¹ c`. All its statistics follow from `a`, the residuals `e`, and the leverages `h`: the classical variance
+//! is `σ̂² ‖a‖²`, the variance robust to unequal variances (HC3) is `Σ aᵢ² eᵢ² / (1 − hᵢ)²`.
 //!
 //! Source: MacKinnon, White, *Some heteroskedasticity-consistent covariance matrix estimators*, 1985 (HC3).
 
@@ -12,14 +12,14 @@ use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// A column whose part that is not a combination of earlier ones is below this share of it is dependent.
+/// Share of a column that is independent of earlier columns, below which the column counts as dependent.
 const DEPENDENT: f64 = 1e-8;
 
 /// A design, decomposed.
 #[derive(Debug, Clone)]
 pub struct LinearModel {
     n: usize,
-    /// Orthonormal columns that span those of the design.
+    /// Orthonormal columns with the span of the design's columns.
     q: Vec<Vec<f64>>,
     /// `R⁻¹`: coefficients from `Qᵀ y`.
     r_inverse: Mat<f64>,
@@ -27,16 +27,16 @@ pub struct LinearModel {
     free: Vec<f64>,
 }
 
-/// What a contrast is at each vertex.
+/// Results of a contrast at each vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContrastMap {
-    /// Its value.
+    /// Value.
     pub effect: Vec<f64>,
-    /// Its standard error, robust (HC3).
+    /// Robust standard error (HC3).
     pub robust_se: Vec<f64>,
-    /// Its t with the classical standard error, which permutation tests use.
+    /// t with the classical standard error, used by permutation tests.
     pub t: Vec<f64>,
-    /// Its t with the robust standard error.
+    /// t with the robust standard error.
     pub robust_t: Vec<f64>,
     /// Two-sided p of the robust t.
     pub robust_p: Vec<f64>,
@@ -44,7 +44,7 @@ pub struct ContrastMap {
     pub g: Vec<f64>,
 }
 
-/// The first column that follows from those before it.
+/// The first column that depends linearly on those before it.
 pub(super) fn independent(matrix: &Mat<f64>) -> Option<usize> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for k in 0..matrix.ncols() {
@@ -89,7 +89,7 @@ impl LinearModel {
             }
         }
         let q: Vec<Vec<f64>> = (0..p).map(|k| (0..n).map(|i| q[(i, k)]).collect()).collect();
-        // A subject that alone determines a coefficient has no residual and says nothing about the variance.
+        // A subject that alone determines a coefficient has no residual and carries no information on the variance.
         let free = (0..n).map(|i| (1.0 - q.iter().map(|q| q[i] * q[i]).sum::<f64>()).max(1e-12)).collect();
         LinearModel { n, q, r_inverse, free }
     }
@@ -104,7 +104,7 @@ impl LinearModel {
         &self.q
     }
 
-    /// The weights of the observations whose sum is the contrast.
+    /// The weights with which observations sum to the contrast.
     pub fn observation_weights(&self, contrast: &[f64]) -> Vec<f64> {
         // a = Q R⁻ᵀ c
         let p = self.q.len();

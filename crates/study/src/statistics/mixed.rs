@@ -1,8 +1,9 @@
 //! The mixed model of visits: a random intercept for each subject, by restricted maximum likelihood.
 //!
-//! `y = X β + b + ε` with a `b ~ N(0, λσ²)` for each subject and `ε ~ N(0, σ²)`. For a given `λ` everything is in closed form,
-//! because the covariance of a subject with `m` visits, `σ²(I + λ 11ᵀ)`, has the inverse `(I − λ/(1+λm) 11ᵀ)/σ²`: what is left
-//! is a maximum over one number. Wald tests with the normal distribution, so p-values of few subjects are too small.
+//! The model is `y = X β + b + ε` with a `b ~ N(0, λσ²)` for each subject and `ε ~ N(0, σ²)`. For a given `λ`
+//! everything is in closed form, because the covariance of a subject with `m` visits, `σ²(I + λ 11ᵀ)`, has the inverse
+//! `(I − λ/(1+λm) 11ᵀ)/σ²`. The remaining problem is a maximum over one number. Wald tests use the normal distribution,
+//! so p-values are too small for few subjects.
 //!
 //! Sources: Laird, Ware, *Random-effects models for longitudinal data*, Biometrics 38, 1982; Lindstrom, Bates 1988 (the
 //! profiled likelihood).
@@ -17,17 +18,17 @@ use statrs::distribution::{ContinuousCDF, Normal};
 /// Steps of the search over the share of the variance that is between subjects, and of its refinement.
 const COARSE: usize = 40;
 const FINE: usize = 60;
-/// Largest share: beyond, visits of a subject do not differ.
+/// Largest share: beyond it, visits of a subject do not differ.
 const MAX_SHARE: f64 = 0.9999;
 
 /// A contrast at each vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MixedMap {
-    /// Its value.
+    /// Value.
     pub effect: Vec<f64>,
-    /// Its standard error.
+    /// Standard error.
     pub se: Vec<f64>,
-    /// Their quotient.
+    /// Value over standard error.
     pub z: Vec<f64>,
     /// Two-sided p.
     pub p: Vec<f64>,
@@ -54,7 +55,7 @@ struct Fit {
 }
 
 impl MixedModel {
-    /// A design; `subjects` says whose row each is.
+    /// A design; `subjects` names the subject of each row.
     pub fn new(matrix: &Mat<f64>, subjects: &[usize]) -> Self {
         let x = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, k| matrix[(i, k)]);
         let n_groups = subjects.iter().max().map_or(0, |last| last + 1);
@@ -106,7 +107,7 @@ impl MixedModel {
             if criterion(a)? <= criterion(b)? { high = b } else { low = a }
         }
         let mut share = f64::midpoint(low, high);
-        // No variance between subjects is an end of the interval, which the section only approaches.
+        // The case of no variance between subjects is an end of the interval, which the golden section only approaches.
         if criterion(0.0)? <= criterion(share)? {
             share = 0.0;
         }

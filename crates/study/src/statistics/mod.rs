@@ -9,7 +9,7 @@ pub mod multiple;
 pub mod permutation;
 pub mod tfce;
 
-/// A value at each vertex of each subject: those of one vertex lie side by side.
+/// A value at each vertex of each subject; the values of one vertex are contiguous.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VertexValues {
     n: usize,
@@ -17,7 +17,7 @@ pub struct VertexValues {
 }
 
 impl VertexValues {
-    /// From values by subject, each with one for every vertex.
+    /// Values given by subject, each with one value per vertex.
     pub fn from_subjects(subjects: &[Vec<f64>]) -> Self {
         let (n, v) = (subjects.len(), subjects.first().map_or(0, Vec::len));
         let values = (0..v).flat_map(|vertex| subjects.iter().map(move |subject| subject[vertex])).collect();

@@ -1,6 +1,6 @@
 //! Many tests at once: the false discovery rate.
 
-/// Adjusted p-values: the least false discovery rate at which each test is a discovery.
+/// Adjusted p-values: the smallest false discovery rate at which each test is a discovery.
 ///
 /// Source: Benjamini, Hochberg, *Controlling the false discovery rate*, 1995.
 pub fn false_discovery(p: &[f64]) -> Vec<f64> {

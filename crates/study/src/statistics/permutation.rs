@@ -1,12 +1,12 @@
 //! Permutation tests of a contrast over all vertices.
 //!
-//! Residuals of the model without the contrast are permuted among subjects and the whole model is fitted to them (Freedman,
-//! Lane 1983), so that covariates keep their place. Each permutation gives a map of t; the largest |t| and the largest
-//! enhanced |t| of all vertices are kept, whose distribution controls the error over the whole surface. The first
-//! permutation is the data as they are, so that no p is below `1 / permutations`.
+//! Residuals of the model without the contrast are permuted among subjects and the whole model is fitted to them
+//! (Freedman, Lane 1983), so that covariates keep their place. Each permutation gives a map of t. The largest |t| and
+//! the largest enhanced |t| over all vertices are kept; their distribution controls the error over the whole surface.
+//! The first permutation is the unpermuted data, so that no p is below `1 / permutations`.
 //!
-//! The model without the contrast is that part of the design which is orthogonal to the contrast's weights `a`
-//! ([`LinearModel::observation_weights`]), so that no column has to be chosen for it.
+//! The model without the contrast is the part of the design orthogonal to the contrast's weights `a`
+//! ([`LinearModel::observation_weights`]), so no column has to be chosen for it.
 //!
 //! Sources: Winkler et al., *Permutation inference for the general linear model*, NeuroImage 92, 2014; Holmes et al. 1996
 //! (the distribution of the maximum).
@@ -20,28 +20,28 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 use rayon::prelude::*;
 
-/// What the permutations say about a contrast, at each vertex.
+/// Results of the permutations for a contrast, at each vertex.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PermutationMap {
     /// t of the data.
     pub t: Vec<f64>,
     /// Enhanced t of the data.
     pub tfce: Vec<f64>,
-    /// Two-sided p of t, for each vertex by itself.
+    /// Two-sided p of t, uncorrected, for each vertex.
     pub p: Vec<f64>,
     /// Two-sided p of t, corrected for all vertices.
     pub p_fwe: Vec<f64>,
     /// Two-sided p of the enhanced t, corrected for all vertices.
     pub p_tfce: Vec<f64>,
-    /// Permutations, the data among them.
+    /// Number of permutations, the data included.
     pub permutations: usize,
 }
 
-/// Vertices between two looks at the observer: with a thousand subjects and 256 columns about 10 ms of work.
+/// Vertices between two calls of the observer: with a thousand subjects and 256 columns about 10 ms of work.
 const AT_ONCE: usize = 64;
-/// Permutations that one task does.
+/// Permutations per task.
 const OF_TASK: usize = 64;
-/// Tasks whose counts, one for each vertex, are in memory at the same time.
+/// Tasks whose counts, one per vertex, are in memory at the same time.
 const TASKS: usize = 32;
 
 /// The order of subjects in a permutation: a function of seed and number alone.
@@ -92,7 +92,7 @@ impl<'a> Test<'a> {
 
     /// t at every vertex when subject `k` has the residual of subject `order[k]`.
     fn t(&self, order: &[usize], observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
-        // Permuting the few columns of the design backwards gives the same products as permuting all residuals.
+        // Permuting the few columns of the design in reverse gives the same products as permuting all residuals.
         let moved = |column: &[f64]| {
             let mut moved = vec![0.0; self.n];
             order.iter().zip(column).for_each(|(&from, &x)| moved[from] = x);
@@ -107,7 +107,7 @@ impl<'a> Test<'a> {
             }
             let explained: f64 = basis.iter().map(|q| dot(q, e).powi(2)).sum();
             let rest = (squares - explained).max(0.0);
-            // Nothing is left of a constant vertex but rounding.
+            // A constant vertex has only rounding left.
             let is_constant = rest <= 1e-20 * squares || *squares == 0.0;
             each.push(if is_constant { 0.0 } else { dot(&unit, e) / (rest / degrees).sqrt() });
         }
@@ -115,10 +115,11 @@ impl<'a> Test<'a> {
     }
 }
 
-/// Tests a contrast by `permutations` orders of subjects, the data among them. `enhancer` is of the mesh of the vertices.
+/// Tests a contrast by `permutations` orders of subjects, the data included. `enhancer` belongs to the mesh of the
+/// vertices.
 ///
-/// The answer depends on the seed, not on threads. `O(permutations · V · (n p + log V))`, and counts of 4 bytes a vertex for
-/// each of 32 tasks.
+/// The result depends on the seed, not on threads. `O(permutations · V · (n p + log V))`, with counts of 4 bytes per
+/// vertex for each of 32 tasks.
 ///
 /// # Errors
 /// [`Cancelled`], within some ten milliseconds of work after `observer` asks to stop.
@@ -138,7 +139,7 @@ pub fn test(
     let largest = |map: &[f64]| map.iter().fold(0.0f64, |top, x| top.max(x.abs()));
     let numbers: Vec<u64> = (1..permutations as u64).collect();
     let (mut counts, mut tops) = (vec![0u32; t.len()], Vec::with_capacity(permutations));
-    // Only some counters are in memory; sums of whole numbers do not depend on their order.
+    // Only some counters are in memory at a time; sums of whole numbers do not depend on their order.
     for numbers in numbers.chunks(OF_TASK * TASKS) {
         let parts: Vec<(Vec<u32>, Vec<[f64; 2]>)> = numbers
             .par_chunks(OF_TASK)
@@ -191,8 +192,8 @@ pub fn t_of_orders(
     orders.iter().map(|order| test.t(order, observer)).collect()
 }
 
-/// Whether a permuted statistic is as large as that of the data, up to rounding: orders that only exchange equal subjects
-/// must count.
+/// Whether a permuted statistic is as large as that of the data, up to rounding: orders that only exchange equal
+/// subjects must count.
 fn reaches(other: f64, own: f64) -> bool {
     other >= own * (1.0 - 1e-9)
 }
@@ -243,7 +244,7 @@ mod tests {
                 assert!((a - b).abs() < 1e-9, "{a} {b}");
             }
         }
-        // The data themselves.
+        // The unpermuted data.
         let own = model.contrast(&values, &contrast, &Silent).unwrap().t;
         assert!(test.t(&order(20, 4, 0), &Silent).unwrap().iter().zip(&own).all(|(a, b)| (a - b).abs() < 1e-9));
     }

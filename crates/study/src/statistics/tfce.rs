@@ -1,9 +1,9 @@
-//! Threshold-free cluster enhancement on a mesh: a vertex is supported by how large the region around it stays as the
+//! Threshold-free cluster enhancement on a mesh: the support of a vertex is the size of the region around it as the
 //! threshold rises.
 //!
-//! `TFCE(v) = ∫₀^{h(v)} e(v, h)^E h^H dh`, where `e(v, h)` is the area of the connected region at or above `h` that holds
-//! `v`, mm². On surfaces `H = 2`, `E = 1`. The integral is exact: between the values of two vertices no region changes,
-//! so the regions are a tree, which is built from the highest vertex down.
+//! The formula is `TFCE(v) = ∫₀^{h(v)} e(v, h)^E h^H dh`, where `e(v, h)` is the area, mm², of the connected region at
+//! or above `h` that contains `v`. On surfaces `H = 2`, `E = 1`. The integral is exact: no region changes between the
+//! values of two vertices, so the regions form a tree, which is built from the highest vertex down.
 //!
 //! Sources: Smith, Nichols, *Threshold-free cluster enhancement*, NeuroImage 44, 2009; exponents for surfaces as in PALM
 //! (Winkler et al., NeuroImage 92, 2014).
@@ -13,14 +13,15 @@ use homolog_primitives::graph::EdgeGraph;
 /// The exponent of the height.
 const HEIGHT: i32 = 2;
 
-/// Enhances maps over one mesh; scratch space is kept between calls.
+/// Enhances maps over one mesh; scratch memory is kept between calls.
 #[derive(Debug, Clone)]
 pub struct Enhancer<'a> {
     graph: &'a EdgeGraph,
     areas: &'a [f64],
     order: Vec<u32>,
     parent: Vec<u32>,
-    /// Of a root: what every vertex of its region has collected. Of another vertex: the same, less that of its parent.
+    /// For a root: the total collected by every vertex of its region. For other vertices: the total minus that of the
+    /// parent.
     sum: Vec<f64>,
     area: Vec<f64>,
     level: Vec<f64>,
@@ -46,7 +47,7 @@ impl<'a> Enhancer<'a> {
         }
     }
 
-    /// The enhanced map; negative values are enhanced as those of the opposite map, and stay negative.
+    /// The enhanced map; negative values are enhanced like those of the opposite map, and stay negative.
     pub fn enhance(&mut self, map: &[f64]) -> Vec<f64> {
         let mut enhanced = vec![0.0; map.len()];
         for sign in [1.0, -1.0] {
@@ -58,7 +59,7 @@ impl<'a> Enhancer<'a> {
     fn positive(&mut self, map: &[f64], sign: f64, into: &mut [f64]) {
         self.order.clear();
         self.order.extend((0..map.len() as u32).filter(|&v| sign * map[v as usize] > 0.0));
-        // Equal values in the order of vertices, so that sums have one order.
+        // Equal values keep the order of vertices, so that sums have a fixed order.
         self.order
             .sort_unstable_by(|&a, &b| (sign * map[b as usize]).total_cmp(&(sign * map[a as usize])).then(a.cmp(&b)));
         self.parent.fill(OUTSIDE);
@@ -88,7 +89,7 @@ impl<'a> Enhancer<'a> {
         for k in 0..self.order.len() {
             let v = self.order[k];
             let root = self.root(v);
-            // After halving, a vertex is a root or two steps away at most; its sum is along the way.
+            // After halving, a vertex is a root or at most two steps away from one; its sum is collected along the way.
             let (mut total, mut at) = (self.sum[root as usize], v);
             while at != root {
                 total += self.sum[at as usize];
@@ -112,7 +113,7 @@ impl<'a> Enhancer<'a> {
         }
     }
 
-    /// Adds to a region what it collects from its level down to `height`.
+    /// Adds to a region the amount collected from its level down to `height`.
     fn settle(&mut self, root: u32, height: f64) {
         let r = root as usize;
         let power = |h: f64| h.powi(HEIGHT + 1) / f64::from(HEIGHT + 1);
@@ -136,7 +137,7 @@ mod tests {
     use homolog_mesh::shapes::ellipsoid;
     use proptest::prelude::*;
 
-    /// By thresholds: at each of many heights the region of each vertex is found anew.
+    /// Reference by thresholds: at each of many heights the region of each vertex is found again.
     fn slow(graph: &EdgeGraph, areas: &[f64], map: &[f64], steps: usize) -> Vec<f64> {
         let mut enhanced = vec![0.0; map.len()];
         for sign in [1.0, -1.0] {

@@ -1,4 +1,4 @@
-//! Ablation: feedback from registration (clamping), and whether a larger neighbourhood has the same effect.
+//! Ablation: feedback from registration (clamping), and a larger neighborhood as a replacement for it.
 
 use super::{
     About, Body, Experiment, INLIERS, MATCHED, PARTS, WITHIN_1, against, match_tables, on, pairs_of, sentences,
@@ -37,10 +37,10 @@ impl Experiment for Clamping {
         About {
             id: "clamping",
             title: "Ablation: feedback from registration (clamping)",
-            question: "Does feedback from registration improve the correspondence, and can a larger neighbourhood replace it?",
+            question: "Does feedback from registration improve the correspondence, and can a larger neighborhood replace it?",
             varied: "Clamping (none; hard: inliers of the registration are fixed, as in the thesis; soft: distances and \
                      normals after registration are added to the unary potentials; at most three rounds) and the \
-                     neighbourhood radius r.",
+                     neighborhood radius r.",
         }
     }
 

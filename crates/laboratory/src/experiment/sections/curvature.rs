@@ -45,7 +45,7 @@ impl Shape {
         }
     }
 
-    /// Each level has about four times as many vertices as the one before.
+    /// The mesh at a refinement level; each level has about four times as many vertices as the previous one.
     fn mesh(self, level: u32) -> SurfaceMesh {
         match self {
             Shape::Sphere => ellipsoid(Vector3::repeat(SPHERE_MM), level),

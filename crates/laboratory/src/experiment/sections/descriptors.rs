@@ -1,4 +1,4 @@
-//! What each vertex feature is worth: alone, together, with weights that are equal or learned.
+//! The value of each vertex feature: alone, together, with equal or learned weights.
 
 use super::{About, Body, Experiment, PARTS, WITHIN_2, mean, on, pairs_of, range, sentences};
 use crate::experiment::Clock;
@@ -28,12 +28,12 @@ const COARSE: u32 = 400;
 /// Iterations of belief propagation.
 const ITERATIONS: u32 = 30;
 
-/// Mean share of labels that cost more than the true one: 50 % by chance.
+/// Mean share of labels that cost more than the true label: 50 % by chance.
 const AUC: Metric = Metric::percent("auc", "labels worse than the true one");
 const MEDIAN: Metric = Metric::percent("median_rank", "median rank of the true label");
 const NEAREST: Metric = Metric::percent("nearest_within_2_edges", "cheapest label within 2 edges");
 const SECONDS: Metric = Metric::number("energy_seconds", "time of the energy", "s", 3);
-/// Where the truth is known at every vertex.
+/// Metrics for pairs whose truth is known at every vertex.
 const METRICS: [Metric; 5] = [AUC, MEDIAN, NEAREST, WITHIN_2, SECONDS];
 
 fn settings() -> Vec<Setting> {
@@ -52,8 +52,8 @@ fn settings() -> Vec<Setting> {
     settings
 }
 
-/// The energy of the coarse levels of a pair: the rank of the true label, the labeling that belief propagation finds, and, where
-/// only parts are known, their agreement.
+/// Measures the energy of the coarse levels of a pair: the rank of the true label, the labeling found by belief
+/// propagation, and, if only parts are known, their agreement.
 fn measure(pair: &Pair, request: &Value, clock: &Clock) -> Result<Measurement, String> {
     let parameters = studied(request)?;
     let (source, target) = (Levels::new(&pair.source, Some(COARSE)), Levels::new(&pair.target, Some(COARSE)));
@@ -91,13 +91,13 @@ fn measure(pair: &Pair, request: &Value, clock: &Clock) -> Result<Measurement, S
     Ok(m)
 }
 
-/// The vertex of `surface` that each vertex of its coarse level is.
+/// For each vertex of a coarse level, its vertex on `surface`.
 fn of_surface(coarse: &SurfaceMesh, surface: &SurfaceMesh) -> Vec<usize> {
     let index = ClosestPointIndex::new(surface);
     coarse.vertices().iter().map(|p| index.closest(p).nearest_corner() as usize).collect()
 }
 
-/// Share of labels that cost variable `i` less than the label nearest to `truth`, half of those that cost the same.
+/// Share of labels that cost variable `i` less than the label nearest to `truth`; labels of equal cost count half.
 fn rank(model: &MrfModel, labels: &[Point3<f64>], i: usize, truth: &Point3<f64>) -> f64 {
     let away = |x: &usize| (labels[*x] - truth).norm_squared();
     let nearest = (0..labels.len()).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(0);

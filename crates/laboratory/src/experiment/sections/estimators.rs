@@ -108,7 +108,7 @@ fn noise(surface: &[Point3<f64>], sigma_mm: f64, first: u64, n: u64) -> Measurem
     m
 }
 
-/// Kinds of point pairs that do not determine the transform, or nearly so.
+/// Kinds of point pairs that determine the transform not at all or only barely.
 const KINDS: [&str; 6] = [
     "collinear points",
     "coincident points",
@@ -143,7 +143,7 @@ fn degenerate(kind: &str, surface: &[Point3<f64>], seed: u64) -> (Vec<Point3<f64
     (problem.source, problem.target)
 }
 
-/// Which solvers reject the input, and whether what the others return is a proper rotation.
+/// The solvers that reject the input, and whether the results of the others are proper rotations.
 fn refused(kind: &str, surface: &[Point3<f64>], seed: u64) -> Measurement {
     let (source, target) = degenerate(kind, surface, seed);
     let mut m = Measurement::default();

@@ -14,7 +14,7 @@ use serde_json::json;
 
 pub(in crate::experiment) struct Methods;
 
-/// The default, the energy of the thesis, and two rigid baselines; then the methods of the field. `fast` and `accurate` are names
+/// The default, the energy of the thesis, and two rigid baselines; then the published methods. `fast` and `accurate` are names
 /// of `balanced`.
 const METHODS: [&str; 11] = [
     "balanced",
@@ -41,7 +41,7 @@ const MEMORY: Metric = Metric::number("peak_mib", "peak memory", "MiB", 0);
 const ON_KNOWN: [Metric; 7] = [ERROR, NEAR, ROTATION, FOLDED, FOLDED_AREA, SECONDS, MEMORY];
 const ON_SUBJECTS: [Metric; 6] = [DICE, ROTATION, FOLDED, FOLDED_AREA, SECONDS, MEMORY];
 
-/// A match, the errors of its corresponding points, and the memory that it takes in a process of its own.
+/// A match, the errors of its corresponding points, and its memory in a separate process.
 fn measure(pair: &Pair, method: &str, study: &Study<'_>) -> Result<Measurement, String> {
     let request = json!({"method": method});
     let (mut m, outcome) = observed_match(pair, &request, study.clock)?;
@@ -65,7 +65,7 @@ fn measure(pair: &Pair, method: &str, study: &Study<'_>) -> Result<Measurement, 
     Ok(m)
 }
 
-/// Distances of the corresponding points from the true ones, mm, a row each.
+/// Distances of the corresponding points from the true ones, mm, one per row.
 fn point_errors(target: &SurfaceMesh, pairs: &Correspondences, truth: &[Point3<f64>]) -> Vec<f64> {
     let corners = pairs.triangle.iter().zip(&pairs.barycentric);
     let points = corners.map(|(triangle, weights)| {
@@ -75,7 +75,8 @@ fn point_errors(target: &SurfaceMesh, pairs: &Correspondences, truth: &[Point3<f
     pairs.source.iter().zip(points).map(|(&v, point)| (point - truth[v as usize]).norm()).collect()
 }
 
-/// The Dice overlap of the parts of vertices with those of their images, `2 |A ∩ B| / (|A| + |B|)`, averaged over the parts.
+/// The Dice overlap between the parts of vertices and the parts of their images, `2 |A ∩ B| / (|A| + |B|)`, averaged
+/// over the parts.
 fn mean_dice(couples: &[(u32, u32)]) -> f64 {
     let mut parts: Vec<u32> = couples.iter().flat_map(|&(a, b)| [a, b]).collect();
     parts.sort_unstable();
@@ -103,8 +104,8 @@ impl Experiment for Methods {
     }
 
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>> {
-        // The quick pair is coarse, since flows take seconds where others take a hundredth of one; but a surface of fewer vertices
-        // than harmonics of degree 12 has no SPHARM-PDM.
+        // The quick pair is coarse, since flows take seconds where other methods take hundredths of a second. A surface with
+        // fewer vertices than harmonics of degree 12 has no SPHARM-PDM.
         let mut cases = study.phantoms_with(study.either(1, 4), study.either(2.6, study.edge_mm()), 0.0);
         cases.extend(study.warped(4));
         cases.extend(study.real(4));

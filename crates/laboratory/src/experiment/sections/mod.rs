@@ -6,7 +6,7 @@ mod descriptors;
 mod ellipsoid;
 mod estimators;
 mod methods;
-mod minimisers;
+mod minimizers;
 mod neighborhood;
 mod noise;
 mod outliers;
@@ -26,7 +26,7 @@ use super::units::Unit;
 /// All sections, in the order of the report.
 pub(super) const ALL: [&dyn Experiment; 17] = [
     &thesis::Thesis,
-    &minimisers::Minimisers,
+    &minimizers::Minimizers,
     &products::Products,
     &neighborhood::Neighborhood,
     &scale::CurvatureScale,
@@ -46,7 +46,7 @@ pub(super) const ALL: [&dyn Experiment; 17] = [
 
 /// One section: a question and the units that answer it.
 pub(super) trait Experiment: Sync {
-    /// The question and what is varied to answer it.
+    /// The question, and the parameters varied to answer it.
     fn about(&self) -> About;
     /// The units to compute, in order.
     fn units<'a>(&self, study: &'a Study<'_>) -> Vec<Unit<'a>>;
@@ -81,12 +81,12 @@ const INLIERS: Metric = Metric::percent("support_ratio", "inlier ratio");
 const CONSISTENCY: Metric = Metric::percent("consistency", "edges preserved");
 const SECONDS: Metric = Metric::number("seconds", "time", "s", 2);
 
-/// Reported where the ground truth is known at every vertex.
+/// Metrics for pairs whose ground truth is known at every vertex.
 const ON_PHANTOMS: [Metric; 7] = [WITHIN_1, WITHIN_2, ERROR, ROTATION, INLIERS, CONSISTENCY, SECONDS];
-/// Reported between different subjects, where only anterior and posterior labels are known.
+/// Metrics for different subjects, for which only anterior and posterior labels are known.
 const ON_SUBJECTS: [Metric; 5] = [PARTS, ROTATION, INLIERS, CONSISTENCY, SECONDS];
 
-/// The tables of the kinds of pair that were matched, a row for each setting.
+/// The tables of the matched kinds of pair, with a row for each setting.
 fn match_tables(results: &Results, setting: &str) -> Vec<Table> {
     let kinds = [
         (SYNTHETIC, "Phantoms: deformed, rotated and resampled copies", ON_PHANTOMS.as_slice()),

@@ -1,4 +1,4 @@
-//! Neighbourhood radius: how far apart the images of adjacent vertices may lie.
+//! Neighborhood radius: the largest distance between the images of adjacent vertices.
 
 use super::{About, Body, Experiment, WITHIN_1, WITHIN_2, both_kinds, matched, rate_series};
 use crate::experiment::document::{Axis, Plot, PlotKind};
@@ -29,7 +29,7 @@ impl Experiment for Neighborhood {
     fn about(&self) -> About {
         About {
             id: "neighborhood",
-            title: "Neighbourhood radius",
+            title: "Neighborhood radius",
             question: "How far apart, in edges, may the images of adjacent vertices lie before the pairwise potential is truncated?",
             varied: "The radius r in edges, with the truncated potential and with the hard constraint of the thesis (infinite \
                      truncation); clamping is off, so that the energy alone determines the result.",
@@ -42,13 +42,13 @@ impl Experiment for Neighborhood {
 
     fn report(&self, study: &Study<'_>, results: &Results) -> Body {
         let plot = Plot {
-            title: "Correct match rate and label agreement versus neighbourhood radius".to_owned(),
+            title: "Correct match rate and label agreement versus neighborhood radius".to_owned(),
             kind: PlotKind::Lines,
             x: Axis::linear("radius r", "edges"),
             y: Axis::linear("share of vertices", "%"),
             categories: Vec::new(),
             series: rate_series(results, &[WITHIN_1, WITHIN_2], radius),
         };
-        matched(study, results, "neighbourhood", plot)
+        matched(study, results, "neighborhood", plot)
     }
 }

@@ -31,7 +31,7 @@ fn request() -> Value {
     json!({"registration": {"tolerance_mm": TOLERANCE_MM}})
 }
 
-/// The reasons of all source vertices, `none` where a vertex is no outlier.
+/// The reasons of all source vertices, `none` for vertices that are not outliers.
 fn reasons(outcome: &MatchOutcome) -> Vec<String> {
     let columns = serde_json::to_value(&outcome.correspondences).unwrap_or_default();
     let named = columns["outlier"].as_array().filter(|reasons| !reasons.is_empty());
@@ -74,7 +74,8 @@ fn planted(pair: &Pair, height_mm: f64, seed: u64, study: &Study<'_>) -> Result<
     let count = |wanted: &dyn Fn(usize) -> bool| (0..planted.len()).filter(|&i| wanted(i)).count() as f64;
     let both = count(&|i| planted[i] && flagged[i]);
     m.set("planted", count(&|i| planted[i]) / planted.len().max(1) as f64);
-    // Without synthetic outliers recall is undefined, without flags precision is; both are then left out.
+    // Without synthetic outliers recall is undefined; without flags precision is undefined. Undefined values are left
+    // out.
     m.set("recall", both / count(&|i| planted[i]));
     m.set("precision", both / count(&|i| flagged[i]));
     m.set("false_alarms", count(&|i| !planted[i] && flagged[i]) / count(&|i| !planted[i]));
@@ -89,8 +90,8 @@ impl Experiment for Outliers {
             question: "With which precision and recall are vertices without a counterpart flagged?",
             varied: "The height of a smooth bump of 6 mm radius added to the source; a vertex displaced by more than the \
                      tolerance of 3 mm is a synthetic outlier. Between different subjects, the share flagged by reason: \
-                     residual (too far away after registration), neighbourhood (the images of most neighbours are not \
-                     neighbours), or both.",
+                     residual (too far away after registration), neighborhood (the images of most neighbors are not \
+                     neighbors), or both.",
         }
     }
 
@@ -119,7 +120,7 @@ impl Experiment for Outliers {
         let flagged = [
             Metric::percent("flagged", "flagged"),
             Metric::percent("residual", "by residual"),
-            Metric::percent("neighborhood", "by neighbourhood"),
+            Metric::percent("neighborhood", "by neighborhood"),
             Metric::percent("both", "by both"),
         ];
         let mut metrics = vec![
@@ -143,7 +144,7 @@ impl Experiment for Outliers {
             let of = |k: usize| mean(&real, setting, &flagged[k]);
             Some(format!(
                 "On {} pairs of different subjects {} of the vertices were flagged: {} by the residual alone, {} by the \
-                 neighbourhood alone, {} by both.",
+                 neighborhood alone, {} by both.",
                 real.measured(setting).len(),
                 of(0)?,
                 of(1)?,

@@ -75,7 +75,7 @@ impl Experiment for Registration {
     }
 }
 
-/// The standard deviation of a success rate adds nothing to the rate.
+/// Removes the standard deviation of a success rate, which adds no information to the rate.
 fn without_spread(mut series: Vec<crate::experiment::document::Series>) -> Vec<crate::experiment::document::Series> {
     for point in series.iter_mut().flat_map(|s| &mut s.points) {
         (point.low, point.high) = (None, None);

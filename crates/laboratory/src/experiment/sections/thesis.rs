@@ -1,4 +1,5 @@
-//! What the thesis varies, one parameter at a time around the preset `thesis`; what was chosen, and what it reaches on other pairs.
+//! The parameters varied in the thesis, one at a time around the preset `thesis`; the chosen values, and their results
+//! on other pairs.
 
 use super::{About, Body, CONSISTENCY, Experiment, INLIERS, PARTS, ROTATION, SECONDS, sentences};
 use crate::experiment::document::{Axis, Plot, PlotKind, PlotPoint, Series};
@@ -10,7 +11,7 @@ use serde_json::{Value, json};
 
 pub(in crate::experiment) struct Thesis;
 
-/// The pairs on which settings are compared, to choose them, and those on which the chosen ones are measured.
+/// The pairs on which settings are compared and chosen, and the pairs on which the chosen ones are measured.
 const CHOOSING: &str = "choosing";
 const OTHERS: &str = "others";
 /// Pairs of subjects of both halves together.
@@ -27,8 +28,8 @@ const FOLDED: Metric = Metric::percent("deformation_folded_area_share", "folded 
 const ON_CHOOSING: [Metric; 7] = [PARTS, WITHIN_10, ROTATION, AFTER, FOLDED, CONSISTENCY, SECONDS];
 const ON_OTHERS: [Metric; 7] = [PARTS, WITHIN_10, ROTATION, BEFORE, AFTER, FOLDED, SECONDS];
 
-/// The settings of the thesis to the letter, as docs/thesis.md states them: Gaussian curvature at one scale, the hard neighborhood constraint and
-/// hard clamping.
+/// The exact settings of the thesis, as docs/thesis.md states them: Gaussian curvature at one scale, the hard
+/// neighborhood constraint and hard clamping.
 pub(in crate::experiment) fn letter() -> Value {
     json!({
         "method": "thesis",
@@ -40,18 +41,18 @@ pub(in crate::experiment) fn letter() -> Value {
     })
 }
 
-/// One parameter that is varied.
+/// A varied parameter.
 struct Varied {
     what: &'static str,
-    /// Unit of the values; `None` where they are names.
+    /// Unit of the values; `None` if they are names.
     unit: Option<&'static str>,
     logarithmic: bool,
-    /// A value, its horizontal position, and what it asks for; `Null` for what was chosen.
+    /// A value, its horizontal position, and its request; `Null` for the chosen value.
     values: Vec<(String, f64, Value)>,
 }
 
 impl Varied {
-    /// Numbers, written where `request` says.
+    /// Numeric values, placed in the request by `request`.
     fn numbers(
         what: &'static str,
         unit: &'static str,
@@ -64,19 +65,19 @@ impl Varied {
         Varied { what, unit: Some(unit), logarithmic, values: all.iter().map(value).collect() }
     }
 
-    /// Names, the chosen one with `Null`.
+    /// Named values; the chosen one is `Null`.
     fn names(what: &'static str, all: Vec<(&str, Value)>) -> Self {
         let value = |(k, (name, request)): (usize, (&str, Value))| (name.to_owned(), k as f64, request);
         Varied { what, unit: None, logarithmic: false, values: all.into_iter().enumerate().map(value).collect() }
     }
 
-    /// The name of the setting that has `value`.
+    /// The name of the setting with `value`.
     fn setting(&self, value: &(String, f64, Value)) -> String {
         if value.2.is_null() { THESIS.to_owned() } else { format!("{}: {}", self.what, value.0) }
     }
 }
 
-/// What chapter 8 of the thesis varies.
+/// The parameters varied in chapter 8 of the thesis.
 fn varied() -> Vec<Varied> {
     let curvature = |scales: &[f64]| json!({"features": [{"kind": "gaussian_curvature", "scales": scales}]});
     let energy = |name: &str, value: Value| json!({"energy": {name: value}});
@@ -102,7 +103,7 @@ fn varied() -> Vec<Varied> {
         Varied::numbers("weight α of curvature", "", true, &[0.25, 0.5, 1.0, 2.0], 0.5, |a| energy("alpha", json!(a))),
         Varied::numbers("weight β of distances", "", false, &[0.0, 0.3, 1.0], 0.0, |b| energy("beta", json!(b))),
         Varied::numbers("truncation T", "", true, &[5.0, 9.2, 14.0, 60.0], 9.2, |t| {
-            // 60 is what a broken edge counts as under the hard constraint.
+            // 60 is the cost of a broken edge under the hard constraint.
             energy("truncation", if t < 60.0 { json!(t) } else { Value::Null })
         }),
         Varied::names("update", vec![("sparse", Value::Null), ("active", json!({"inference": {"update": "active"}}))]),
@@ -155,7 +156,7 @@ fn settings() -> Vec<Setting> {
     all
 }
 
-/// Pairs of subjects in two halves, in turn; without real data, or in the quick report, phantoms.
+/// Pairs of subjects, divided alternately into two halves; phantoms without real data or in the quick report.
 fn halves(study: &Study<'_>) -> [Vec<Case>; 2] {
     let real = study.real(PAIRS);
     let all = if real.is_empty() { study.phantoms(2) } else { real };
@@ -217,7 +218,7 @@ impl Experiment for Thesis {
     }
 }
 
-/// What a method reaches, in words.
+/// The results of a method, in words.
 fn reached(group: &Group<'_>, setting: &str) -> Option<String> {
     let labels = group.summary(setting, PARTS.key)?;
     let n = group.measured(setting).len() as f64;
@@ -236,13 +237,13 @@ fn reached(group: &Group<'_>, setting: &str) -> Option<String> {
     ))
 }
 
-/// The mean in percent with its 95 % interval, by the normal distribution.
+/// The mean in percent with its 95 % interval, by the normal approximation.
 fn interval(s: &Summary) -> String {
     let half = 1.96 * s.sd / (s.n as f64).sqrt();
     format!("{:.1} % (95 % interval {:.1} to {:.1})", 100.0 * s.mean, 100.0 * (s.mean - half), 100.0 * (s.mean + half))
 }
 
-/// A value of a parameter that is better than the chosen one on the same pairs by more than two standard errors, if there is one.
+/// A value of a parameter, if any, that beats the chosen one on the same pairs by more than two standard errors.
 fn clearly_better(group: &Group<'_>, varied: &Varied) -> Option<String> {
     let better = |setting: &str| -> Option<f64> {
         let of = |(case, m): &(&str, &crate::experiment::units::Measurement)| {

@@ -17,7 +17,7 @@ const METRICS: [Metric; 5] = [
     WITHIN_1,
 ];
 
-/// Consistency is measured with the neighbourhood radius of the energy, which is therefore the same in all settings.
+/// Consistency is measured with the neighborhood radius of the energy, so all settings use the same radius.
 fn settings() -> Vec<Setting> {
     let free = json!({"mode": "none"});
     vec![

@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 pub(in crate::experiment) struct Update;
 
-/// Iterations that are timed.
+/// Number of timed iterations.
 const ITERATIONS: u32 = 5;
 /// Number of vertices of a phantom with the default edge length.
 const DEFAULT_VERTICES: f64 = 2400.0;
@@ -52,7 +52,7 @@ fn compare(pair: &Pair, product: &str, study: &Study<'_>) -> Result<Measurement,
         .with("equal_labels", equal)
         .with("energy_difference", (energy(&sparse) - energy(&full)).abs())
         .with("messages_mib", messages as f64 / mib)
-        // A neighbour is a label and a distance; a stored table of all pairs would have one potential per pair.
+        // A neighbor is a label and a distance; a stored table of all pairs would have one potential per pair.
         .with("neighbors_mib", 8.0 * n * model.labels.mean_size() / mib)
         .with("pairs_mib", 4.0 * n * n / mib)
         .with("neighbors", model.labels.mean_size()))
@@ -63,7 +63,7 @@ impl Experiment for Update {
         About {
             id: "update",
             title: "Sparse versus full update",
-            question: "Is the sparse message update (neighbouring labels only) equivalent to the full one (all label pairs), and what \
+            question: "Is the sparse message update (neighboring labels only) equivalent to the full one (all label pairs), and what \
                        does it save?",
             varied: "The update, the messages (max- or sum-product) and the number of vertices; 5 iterations from uniform \
                      messages, time of inference only.",
@@ -94,9 +94,9 @@ impl Experiment for Update {
             Metric::number("ratio", "full / sparse", "×", 1),
             Metric::percent("equal_labels", "identical labels"),
             Metric::number("energy_difference", "energy difference", "", 3),
-            Metric::number("neighbors", "mean neighbourhood size", "", 1),
+            Metric::number("neighbors", "mean neighborhood size", "", 1),
             Metric::number("messages_mib", "memory of messages", "MiB", 1),
-            Metric::number("neighbors_mib", "memory of neighbourhoods", "MiB", 2),
+            Metric::number("neighbors_mib", "memory of neighborhoods", "MiB", 2),
             Metric::number("pairs_mib", "memory of a full pairwise table", "MiB", 2),
         ];
         let series = |product: &str, metric: &Metric| {

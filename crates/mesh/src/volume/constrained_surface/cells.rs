@@ -1,12 +1,13 @@
-//! The volume that a surface encloses in each cube of the lattice, next to that of the voxels there.
+//! The volume that a surface encloses in each cube of the lattice, compared with the volume of the voxels there.
 
 use super::super::cubes::{Cell, Contour, FACES, edge_between};
 use nalgebra::Vector3;
 
-/// For each cell of `contour` the volume of its eighths of voxels minus the volume that the surface encloses in it, in voxels.
+/// For each cell of `contour` the volume of its eighths of voxels minus the volume that the surface encloses in it, in
+/// voxels.
 ///
-/// The sum over all cells is the number of voxels minus the enclosed volume: a cube without a crossing is inside or outside as
-/// a whole.
+/// The sum over all cells is the number of voxels minus the enclosed volume: a cube without a crossing lies entirely
+/// inside or outside.
 ///
 /// # Cost
 /// `O(cells)`.
@@ -14,8 +15,8 @@ pub(super) fn deficits(contour: &Contour) -> Vec<f64> {
     contour.cells.iter().map(|cell| f64::from(cell.pattern.count_ones()) / 8.0 - enclosed(contour, cell)).collect()
 }
 
-/// The enclosed volume of a cell by the divergence theorem about its lowest corner: three faces of the cube contain it, the
-/// others lie at distance 1.
+/// The enclosed volume of a cell by the divergence theorem about its lowest corner: three faces of the cube contain
+/// that corner, the others lie at distance 1.
 fn enclosed(contour: &Contour, cell: &Cell) -> f64 {
     let corner = Vector3::from(cell.place.map(|c| c as f64));
     let caps: f64 = [1, 3, 5].iter().map(|&face| cap_area(contour, cell, FACES[face])).sum();
@@ -29,7 +30,7 @@ fn enclosed(contour: &Contour, cell: &Cell) -> f64 {
     caps / 3.0 + triangles / 6.0
 }
 
-/// Area of a face of a cell that is inside. Corners inside at opposite ends are apart.
+/// Area of the inner part of a face of a cell. Inner corners at opposite ends are kept apart.
 fn cap_area(contour: &Contour, cell: &Cell, face: [usize; 4]) -> f64 {
     let inside = face.map(|corner| cell.pattern >> corner & 1 == 1);
     // Distance of the crossing from the first corner of each side.

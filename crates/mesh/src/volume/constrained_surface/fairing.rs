@@ -1,9 +1,9 @@
-//! The places of vertices on their segments that make a surface smooth.
+//! Positions of vertices on their segments that make a surface smooth.
 //!
-//! With the normals held, the distance of a vertex from the mean of its neighbors along its normal is linear in the offsets of
-//! both, so that the energy is a quadratic form with bounds. It is minimized by coordinate descent, which is exact in one
-//! coordinate, in a fixed order. Distances along the normal, and not in space, because the sampling of the surface is uneven:
-//! on a plane they are zero wherever the vertices are.
+//! With fixed normals, the distance of a vertex from the mean of its neighbors along its normal is linear in the
+//! offsets of both, so the energy is a quadratic form with bounds. Coordinate descent, which is exact in one
+//! coordinate, minimizes it in a fixed order. Distances are measured along the normal, not in space, because the
+//! sampling of the surface is uneven: on a plane they are zero for any distribution of the vertices.
 
 use super::super::cubes::Origin;
 use super::{Neighbors, Net, REACH};
@@ -14,15 +14,16 @@ const SWEEPS: usize = 4;
 
 /// The energy of one round.
 pub(super) struct Fairing {
-    /// The offsets at the beginning, in voxels.
+    /// The initial offsets, in voxels.
     pub initial: Vec<f64>,
     /// Distance of each vertex from the mean of its neighbors along its normal, mm.
     bend: Vec<f64>,
-    /// How fast the neighbor at the same place of [`Neighbors`] changes it, mm per voxel of its own offset.
+    /// Derivative of that distance with respect to the offset of the neighbor at the same place in [`Neighbors`], mm
+    /// per voxel.
     of_neighbors: Vec<f64>,
-    /// How fast a vertex moves along its own normal, mm per voxel of its offset.
+    /// Derivative of the position of each vertex along its own normal with respect to its offset, mm per voxel.
     along: Vec<f64>,
-    /// For each directed edge its reverse.
+    /// The reverse of each directed edge.
     reverse: Vec<u32>,
 }
 
@@ -34,7 +35,7 @@ impl Fairing {
         let mut bend = vec![0.0; n];
         let mut of_neighbors = vec![0.0; neighbors.ends.len()];
         for v in 0..n {
-            // The middle of a loop follows its loop.
+            // The middle of a loop follows the loop.
             if matches!(net.contour.origins[v], Origin::Middle(_)) {
                 continue;
             }
@@ -82,7 +83,7 @@ impl Fairing {
     }
 }
 
-/// For each directed edge the place of its reverse.
+/// For each directed edge the index of its reverse.
 fn reversed(neighbors: &Neighbors) -> Vec<u32> {
     let n = neighbors.starts.len() - 1;
     let mut reverse = vec![0; neighbors.ends.len()];

@@ -2,7 +2,7 @@
 
 use crate::MrfModel;
 
-/// Labels and candidates are counted with 16 bits where they are counted most.
+/// Limit of candidates: the inner loops count labels and candidates with 16 bits.
 pub(super) const MAX_CANDIDATES: usize = 1 << 16;
 
 /// Candidate labels of every variable with their unary potentials; rows ascending, none empty.
@@ -13,17 +13,17 @@ pub struct Candidates {
     unary: Vec<f32>,
 }
 
-/// Why candidate sets cannot be used.
+/// Reasons why candidate sets cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum CandidateError {
-    /// Offsets, labels and potentials do not belong together, or not to the model.
+    /// Offsets, labels and potentials do not match each other or the model.
     #[error("{found} {what} where {expected} are needed")]
     LengthMismatch {
-        /// Which of them.
+        /// The mismatched item.
         what: &'static str,
-        /// How many there are.
+        /// Number found.
         found: usize,
-        /// How many there should be.
+        /// Number expected.
         expected: usize,
     },
     /// Offsets decrease, or a row is empty.
@@ -32,20 +32,20 @@ pub enum CandidateError {
         /// The variable.
         variable: usize,
     },
-    /// A row is not strictly ascending, or names a label that is none.
+    /// A row is not strictly ascending, or names a label that does not exist.
     #[error("the candidates of variable {variable} are not ascending labels below {n_labels}")]
     NotAscending {
         /// The variable.
         variable: usize,
-        /// Labels of the model.
+        /// Number of labels of the model.
         n_labels: usize,
     },
-    /// A row is longer, or the rows of a variable's neighbours hold more labels, than can be counted.
+    /// A row, or the union of the rows of a variable's neighbors, is longer than can be counted.
     #[error("variable {variable} or its neighbors have {found} candidates; {MAX_CANDIDATES} can be held")]
     TooManyCandidates {
         /// The variable.
         variable: usize,
-        /// Its candidates, or those of its neighbors together.
+        /// The number of its candidates, or of the candidates of its neighbors together.
         found: usize,
     },
 }
@@ -54,7 +54,7 @@ impl Candidates {
     /// Candidates of variable `i` at `offsets[i]..offsets[i + 1]` of `labels`, with their unary potentials `θ_i(x)`.
     ///
     /// # Errors
-    /// [`CandidateError`]: lengths that differ, empty rows, rows that are not strictly ascending below `n_labels`.
+    /// [`CandidateError`]: lengths that differ, empty rows, or rows that are not strictly ascending below `n_labels`.
     pub fn new(
         offsets: Vec<usize>,
         labels: Vec<u32>,
@@ -91,7 +91,7 @@ impl Candidates {
         }
     }
 
-    /// From rows that are known to be ascending and not empty.
+    /// Candidates from rows that are known to be ascending and nonempty.
     pub(super) fn from_rows(rows: impl Iterator<Item = (Vec<u32>, Vec<f32>)>) -> Self {
         let mut made = Candidates { offsets: vec![0], labels: Vec::new(), unary: Vec::new() };
         for (labels, unary) in rows {
@@ -107,7 +107,7 @@ impl Candidates {
         self.offsets.len() - 1
     }
 
-    /// Candidates of all variables together.
+    /// Number of candidates of all variables together.
     pub fn n_candidates(&self) -> usize {
         self.labels.len()
     }
@@ -122,7 +122,7 @@ impl Candidates {
         &self.unary[self.offsets[variable]..self.offsets[variable + 1]]
     }
 
-    /// Candidates of a variable in the mean.
+    /// Mean number of candidates per variable.
     pub fn mean_size(&self) -> f64 {
         self.labels.len() as f64 / self.n_variables().max(1) as f64
     }

@@ -1,7 +1,7 @@
-//! The loops over candidates: from incoming messages to cavity products, to updated messages, to new ones.
+//! The loops over candidates: incoming messages become cavity products, then updated messages, then new messages.
 //!
-//! Cavity products `h_{i→j}` are made in rows over the candidates of `i`, then transposed so that eight neighbours `j`
-//! lie side by side; both stay in the fastest cache. Every step is the same on every instruction set and in the same
+//! Cavity products `h_{i→j}` are computed in rows over the candidates of `i`, then transposed so that eight neighbors
+//! `j` lie side by side; both stay in the fastest cache. Every step is the same on every instruction set, in the same
 //! order as in the dense engine.
 
 use super::super::lanes::CHAIN_SCALE;
@@ -11,28 +11,29 @@ use super::plan::{LANES, NearLists};
 use multiversion::multiversion;
 use wide::f32x4;
 
-/// One number for each of eight neighbours.
+/// One number for each of eight neighbors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
 pub(super) struct EightLanes(pub [f32; LANES]);
 
-/// Work space of one thread; grows to what the largest variable needs.
+/// Work space of one thread; grows to the need of the largest variable.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
     /// Products of the first messages, `[number of messages][candidate]`; the last row is the belief.
     forward: Vec<f32>,
     backward: Vec<f32>,
-    /// Cavity products, `[neighbour][candidate]`, whole groups of eight neighbours.
+    /// Cavity products, `[neighbor][candidate]`, whole groups of eight neighbors.
     rows: Vec<f32>,
-    /// Those of one group, `[candidate][neighbour]`.
+    /// Cavity products of one group, `[candidate][neighbor]`.
     pub cavity: Vec<EightLanes>,
-    /// Updated messages before scaling, `[label of the union][neighbour]`.
+    /// Updated messages before scaling, `[label of the union][neighbor]`.
     pub updated: Vec<EightLanes>,
-    /// One of them over the candidates of its neighbour.
+    /// One updated message over the candidates of its neighbor.
     gathered: Vec<f32>,
 }
 
-/// Number and value of a variable's largest belief, the lower label of equal ones, and the sum of all in its scale.
+/// The largest belief of a variable: its number (ties go to the lower label), its value, and the sum of all beliefs in
+/// the same scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Peak {
     pub candidate: u32,
@@ -41,8 +42,8 @@ pub(super) struct Peak {
 }
 
 impl Scratch {
-    /// Makes the belief of a variable and its cavity products towards every neighbour. `phi` and `messages` are rows
-    /// over its candidates, a multiple of [`LANES`] long; `phi` is 0 beyond them.
+    /// Computes the belief of a variable and its cavity products towards every neighbor. `phi` and `messages` are rows
+    /// over its candidates, padded to a multiple of [`LANES`]; `phi` is 0 in the padding.
     pub(super) fn multiply(&mut self, phi: &[f32], messages: &[&[f32]]) {
         let stride = phi.len();
         let n_rows = messages.len().next_multiple_of(LANES);
@@ -52,24 +53,24 @@ impl Scratch {
         multiply_rows(phi, messages, &mut self.forward, &mut self.backward, &mut self.rows);
     }
 
-    /// Belief over the candidates of the variable last multiplied, in any scale; `phi` as there.
+    /// Belief over the candidates of the last multiplied variable, in any scale; `phi` as passed there.
     pub(super) fn belief(&self, phi: &[f32]) -> &[f32] {
         &self.forward[self.forward.len() - phi.len()..]
     }
 
-    /// The peak of that belief.
+    /// The peak of the belief.
     pub(super) fn peak(&self, phi: &[f32]) -> Peak {
         peak(self.belief(phi))
     }
 
-    /// Transposes the cavity products towards neighbours `first..first + 8`; returns the largest of each.
+    /// Transposes the cavity products towards neighbors `first..first + 8`; returns the maximum of each.
     pub(super) fn transpose(&mut self, phi: &[f32], first: usize) -> EightLanes {
         let stride = phi.len();
         self.cavity.resize(stride, EightLanes([0.0; LANES]));
         transpose_rows(&self.rows[first * stride..(first + LANES) * stride], &mut self.cavity)
     }
 
-    /// Message `lane` of those last updated, over the candidates at `places`: scaled to maximum 1, floored and damped
+    /// Scales message `lane` of the last update, over the candidates at `places`, to maximum 1, floors it, and damps it
     /// with `old` into `new`. Returns its largest change.
     pub(super) fn finish(&mut self, lane: usize, places: &[u16], finish: Finish, old: &[f32], new: &mut [f32]) -> f32 {
         self.gathered.clear();
@@ -171,7 +172,7 @@ pub(super) fn max_uniform(
     }
 }
 
-/// Max-product with a distance term; `near` and `far` are the edge factors of each neighbour.
+/// Max-product with a distance term; `near` and `far` are the edge factors of each neighbor.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn max_weighted(
@@ -247,7 +248,7 @@ pub(super) fn sum_weighted(
     }
 }
 
-/// `ε Σ_x h(x)` of every neighbour.
+/// `ε Σ_x h(x)` for every neighbor.
 #[inline(always)]
 fn total(cavity: &[EightLanes], epsilon: f32) -> [f32; LANES] {
     let mut total = [0.0f32; LANES];
@@ -283,7 +284,7 @@ fn finish_message(
     }
     let top = tops.iter().fold(0.0f32, |a, &b| if b > a { b } else { a });
     let scale = inverse_of(top, 1.0);
-    // A message whose products all vanished carries no information: a flat one.
+    // A message whose products all vanished carries no information and becomes flat.
     let floor = if scale > 0.0 { floor } else { 1.0 };
     let mut most = [0.0f32; LANES];
     let vectors = gathered.as_chunks::<LANES>().0.iter().zip(old.as_chunks::<LANES>().0);

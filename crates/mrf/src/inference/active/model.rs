@@ -4,7 +4,7 @@ use super::candidates::{CandidateError, Candidates, MAX_CANDIDATES};
 use crate::{Energy, MrfModel, PairwisePotential};
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
 
-/// The energy of [`crate`], with unary potentials of candidate labels only.
+/// The energy of [`crate`], with unary potentials for candidate labels only.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ActiveModel<'a> {
     pub(super) variables: &'a EdgeGraph,
@@ -15,12 +15,12 @@ pub struct ActiveModel<'a> {
 }
 
 impl<'a> ActiveModel<'a> {
-    /// The model of `variables` with edges of `lengths` (mm, one a directed edge) that take labels of `candidates`,
-    /// whose neighbourhoods are `labels`.
+    /// The model of `variables` with edges of `lengths` (mm, one per directed edge), whose variables take labels from
+    /// `candidates`; `labels` are the neighborhoods of the labels.
     ///
     /// # Errors
-    /// [`CandidateError`]: as many lengths as directed edges and as many rows as variables are needed; a row, and
-    /// different candidates of the neighbours of one variable, may be 65,536 at most.
+    /// [`CandidateError`]: `lengths` must have one value per directed edge and `candidates` one row per variable. A
+    /// row, and the union of the candidates of a variable's neighbors, may have at most 65,536 labels.
     pub fn new(
         variables: &'a EdgeGraph,
         lengths: &'a [f32],
@@ -51,7 +51,7 @@ impl<'a> ActiveModel<'a> {
         Ok(ActiveModel { variables, lengths, labels, pairwise, candidates })
     }
 
-    /// `model` with `candidates` for its variables.
+    /// `model` restricted to `candidates`.
     ///
     /// # Errors
     /// As [`ActiveModel::new`].
@@ -69,11 +69,11 @@ impl<'a> ActiveModel<'a> {
         self.variables.n_vertices()
     }
 
-    /// `E` of a labeling whose labels are candidates, term by term in a fixed order, as [`MrfModel::energy`].
-    /// Cost `O(|E→| log k̄ + n log K)`.
+    /// `E` of a labeling whose labels are candidates, term by term in the fixed order of [`MrfModel::energy`]. Cost
+    /// `O(|E→| log k̄ + n log K)`.
     pub(super) fn energy(&self, labeling: &[u32]) -> Energy {
         let unary = |i: usize| {
-            // Every label was decoded from these candidates, so the search cannot miss.
+            // Every label was decoded from these candidates, so the search always finds it.
             let at = self.candidates.labels(i).binary_search(&labeling[i]).unwrap_or_default();
             self.candidates.unary(i)[at]
         };

@@ -1,28 +1,29 @@
-//! Which candidates of a variable are near which of its neighbours' candidates, and where messages lie.
+//! Lists of near candidates between a variable and its neighbors, and the memory layout of messages.
 //!
-//! A variable's messages to all its neighbours are made side by side, over the union of their candidates: neighbours
-//! on the source have much the same candidates, so that one list of near labels serves all of them. The lists are
-//! found once for a choice of candidates, by marking the candidates of the variable in a row over all labels and
-//! reading that row at `N_r(y)`, and are read front to back in every iteration.
+//! A variable's messages to all its neighbors are computed side by side, over the union of the neighbors' candidates:
+//! neighbors on the source have similar candidates, so that one list of near labels serves all of them. The lists are
+//! built once for a choice of candidates, by marking the candidates of the variable in a row over all labels and
+//! reading that row at `N_r(y)`. Every iteration reads them from front to back.
 
 use super::super::pair_table::PairTable;
 use super::model::ActiveModel;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Variables of one group, the piece of work of a thread.
+/// Variables per group; a group is the unit of work of a thread.
 const GROUP: usize = 64;
-/// Rows over candidates are a multiple of it long: numbers of 32 bits in a vector of 256.
+/// Row lengths over candidates are multiples of this: numbers of 32 bits in a vector of 256 bits.
 pub(super) const LANES: usize = 8;
-/// Not a candidate.
+/// Marks a label that is not a candidate.
 const ABSENT: u32 = u32::MAX;
 
-/// Where rows over candidates lie.
+/// Memory layout of rows over candidates.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Layout {
-    /// Start of the row of every variable, and their end.
+    /// Start of the row of every variable, followed by the end of the last.
     pub rows: Vec<usize>,
-    /// Start of the message of every directed edge `i → j`, a row over the candidates of `j`, and their end.
+    /// Start of the message of every directed edge `i → j`, a row over the candidates of `j`, followed by the end of
+    /// the last.
     pub messages: Vec<usize>,
 }
 
@@ -69,9 +70,9 @@ impl Layout {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Group {
     pub variables: Range<usize>,
-    /// Of every variable the number of different candidates of its neighbours.
+    /// Number of different candidates of the neighbors of each variable.
     unions: Vec<u32>,
-    /// For each of these, where its list ends.
+    /// End of the list of each of these candidates.
     ends: Vec<u32>,
     /// Members of `N_r(y) ∩ C_i`, as numbers of candidates of `i`.
     near: Vec<u16>,
@@ -89,7 +90,7 @@ pub(super) struct NearLists<'p> {
     pub ends: &'p [u32],
     pub near: &'p [u16],
     pub factors: &'p [[f32; 2]],
-    /// Places in the union, neighbour after neighbour.
+    /// Places in the union, neighbor after neighbor.
     pub places: &'p [u16],
 }
 
@@ -110,7 +111,7 @@ impl Group {
         })
     }
 
-    /// Pairs of near labels that one iteration visits, each for all messages that it is part of.
+    /// Number of near label pairs that one iteration visits; a pair counts once for all messages it is part of.
     pub(super) fn pair_updates(&self, model: &ActiveModel<'_>) -> u64 {
         let pairs = self.lists(model).map(|(i, lists)| {
             let pairs = lists.ends.last().map_or(0, |&end| end - lists.start);
@@ -119,7 +120,7 @@ impl Group {
         pairs.sum()
     }
 
-    /// Bytes of the lists.
+    /// Memory of the lists, bytes.
     pub(super) fn bytes(&self) -> usize {
         4 * (self.unions.len() + self.ends.len()) + 2 * (self.near.len() + self.places.len()) + 8 * self.factors.len()
     }
@@ -136,7 +137,7 @@ pub(super) fn groups(model: &ActiveModel<'_>, table: &PairTable) -> Vec<Group> {
         .collect()
 }
 
-/// `number` and `place` are scratch over all labels; `number` is [`ABSENT`] everywhere before and after.
+/// `number` and `place` are scratch over all labels; `number` is [`ABSENT`] everywhere on entry and exit.
 fn group(
     model: &ActiveModel<'_>,
     table: &PairTable,
@@ -153,7 +154,7 @@ fn group(
         let neighbors = model.variables.neighbors(i);
         union.clear();
         neighbors.iter().for_each(|&j| union.extend_from_slice(model.candidates.labels(j as usize)));
-        // The stable sort merges runs that are sorted already, which is all there is.
+        // The stable sort merges sorted runs, and the union consists of sorted runs.
         union.sort();
         union.dedup();
         mark(&union, place);

@@ -1,27 +1,27 @@
-//! Unary potentials on demand, so that no table of all variables by all labels has to be held.
+//! Unary potentials on demand, without a table of all variables by all labels.
 
 use crate::{FeaturePotentials, MrfModel};
 
 /// A source of unary potentials.
 pub trait UnaryPotentials: Sync {
-    /// Potentials of `variable` at `labels` into `values`, one each.
+    /// Writes the potentials of `variable` at `labels` into `values`, one each.
     fn at(&self, variable: usize, labels: &[u32], values: &mut [f32]);
 
-    /// Potentials of `variable` at every label into `row`.
+    /// Writes the potentials of `variable` at every label into `row`.
     fn row(&self, variable: usize, row: &mut [f32]);
 }
 
-/// Unary potentials, and a bias on top of them that is not part of the energy.
+/// Unary potentials, and a bias that is added to them but not part of the energy.
 #[derive(Clone, Copy)]
 pub struct Evidence<'e> {
     /// `θ_i(x)`.
     pub unary: &'e dyn UnaryPotentials,
-    /// What is added to it while messages are passed, and left out of every energy that is reported.
+    /// Added to the potentials while messages are passed; excluded from every reported energy.
     pub bias: Option<&'e dyn UnaryPotentials>,
 }
 
 impl<'e> Evidence<'e> {
-    /// Without feedback.
+    /// Potentials without a bias.
     pub fn plain(unary: &'e dyn UnaryPotentials) -> Self {
         Evidence { unary, bias: None }
     }

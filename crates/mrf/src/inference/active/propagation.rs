@@ -1,4 +1,4 @@
-//! Messages over candidates, flooding: every message from those of the iteration before.
+//! Messages over candidates with the flooding schedule: every message is computed from those of the previous iteration.
 
 use super::super::beliefs::{belief_row, belief_spread};
 use super::super::message_writer::Finish;
@@ -15,23 +15,23 @@ use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Groups of variables between two looks at the observer.
+/// Groups of variables between two calls of the observer.
 pub(super) const BATCH_GROUPS: usize = 32;
 
-/// What a run over revised sets leaves.
+/// Result of a run over revised sets.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ActiveOutcome {
-    /// As of any run.
+    /// The result of the propagation.
     pub propagation: BpOutcome,
-    /// Candidates of a variable, in the mean over variables and iterations.
+    /// Mean number of candidates per variable, over variables and iterations.
     pub mean_active: f64,
-    /// Times that the sets were revised.
+    /// Number of revisions of the sets.
     pub revisions: u32,
-    /// Pairs of near labels that all message updates together visited.
+    /// Number of near label pairs visited by all message updates together.
     pub pair_updates: u64,
 }
 
-/// Messages and candidate sets, kept from one run to the next.
+/// Messages and candidate sets, which are kept between runs.
 ///
 /// # Cost
 /// `O(|E→| K k)` an iteration for `K` candidates a variable, `k` of them near a label. Memory: ten bytes for each of the
@@ -50,15 +50,15 @@ pub struct ActivePropagation<'a> {
     /// Unary factors, bias included, in rows of the layout; 0 beyond the candidates.
     pub(super) phi: Vec<f32>,
     pub(super) messages: Vec<f32>,
-    /// Where the next messages are written.
+    /// Buffer for the next messages.
     pub(super) spare: Vec<f32>,
 }
 
-/// How sets are revised during a run.
+/// Control of the revisions during a run.
 type Revising<'r> = Option<(&'r ActiveSets, Evidence<'r>)>;
 
 impl<'a> ActivePropagation<'a> {
-    /// Flat messages over the candidates of `model`. Allocates what an iteration needs.
+    /// Flat messages over the candidates of `model`. Allocates the memory of an iteration.
     pub fn new(model: ActiveModel<'a>, options: BpOptions) -> Self {
         let (beta, scale) = (model.pairwise.beta, model.pairwise.length_scale);
         let table = PairTable::new(model.labels, beta, scale);
@@ -85,10 +85,10 @@ impl<'a> ActivePropagation<'a> {
         &self.model
     }
 
-    /// Makes all messages flat again, so that the next run starts cold.
+    /// Makes all messages flat, so that the next run starts cold.
     pub fn reset(&mut self) {
         let n_values = self.layout.messages.last().copied().unwrap_or(0);
-        // Beyond the candidates a message is at its floor from the first iteration on.
+        // Beyond the candidates a message stays at its floor from the first iteration on.
         self.messages.clear();
         self.messages.resize(n_values, self.options.floor);
         self.spare.resize(n_values, 0.0);
@@ -98,7 +98,7 @@ impl<'a> ActivePropagation<'a> {
         }
     }
 
-    /// Sets what is added to the unary potentials of the present candidates. Messages stay.
+    /// Sets the bias on the unary potentials of the present candidates. Messages are kept.
     pub fn set_bias(&mut self, bias: Option<&dyn UnaryPotentials>) {
         let (model, product) = (&self.model, self.options.product);
         let rows: Vec<Vec<f32>> = (0..model.n_variables())
@@ -121,12 +121,11 @@ impl<'a> ActivePropagation<'a> {
         }
     }
 
-    /// Runs over the candidates as they are until no message changes by more than the tolerance, or for
-    /// `max_iterations`. Reports as [`crate::inference::BeliefPropagation::run`] does, which it equals where all labels are
-    /// candidates.
+    /// Runs over the present candidates until no message changes by more than the tolerance, or for `max_iterations`.
+    /// Reports like [`crate::inference::BeliefPropagation::run`], and equals it if all labels are candidates.
     ///
     /// # Errors
-    /// [`Cancelled`]; the messages are then those of the last iteration that was finished.
+    /// [`Cancelled`]; the messages are then those of the last finished iteration.
     pub fn run(
         &mut self,
         max_iterations: u32,
@@ -136,9 +135,9 @@ impl<'a> ActivePropagation<'a> {
         Ok(self.run_with(max_iterations, None, observer, on_iteration)?.propagation)
     }
 
-    /// As [`Self::run`], with candidates that are revised as `sets` say, from potentials of `evidence`, whose bias
-    /// counts from the first revision on; set it before the run as well. A run ends when neither messages nor sets
-    /// change.
+    /// Like [`Self::run`], with candidates revised according to `sets` from the potentials of `evidence`. The bias of
+    /// `evidence` takes effect at the first revision; set it before the run as well. A run ends when neither messages
+    /// nor sets change.
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -164,8 +163,8 @@ impl<'a> ActivePropagation<'a> {
         let mut delta = f32::INFINITY;
         let mut settled = false;
         let (mut revisions, mut pair_updates, mut active) = (0, 0, 0.0);
-        // Beliefs come out of the pass that makes the next messages, so the labeling of iteration `k` is known in
-        // pass `k + 1`; the last pass only decodes.
+        // The pass that computes the next messages also computes the beliefs, so the labeling of iteration `k` is known
+        // in pass `k + 1`; the last pass only decodes.
         for pass in 0..=max_iterations {
             settled = delta <= self.options.tolerance;
             if let Some((sets, evidence)) = revising
@@ -202,8 +201,8 @@ impl<'a> ActivePropagation<'a> {
         })
     }
 
-    /// One pass over all variables: decodes the beliefs of the present messages and, with `update`, makes the next ones;
-    /// returns the largest change of one.
+    /// One pass over all variables: decodes the beliefs of the present messages and, with `update`, computes the next
+    /// messages. Returns the largest change of a message.
     fn pass(&mut self, update: bool, observer: &dyn Observer) -> Result<(Vec<Decoded>, f32), Cancelled> {
         let mut spare = std::mem::take(&mut self.spare);
         let mut rest = spare.as_mut_slice();
@@ -279,8 +278,8 @@ impl<'a> ActivePropagation<'a> {
         self.model.variables.row(variable).map(message).collect()
     }
 
-    /// Messages of `variable`, which was multiplied last, to its neighbours from number `first` on, over the union of
-    /// their candidates, unscaled, into `scratch.updated`. Returns the value that no message is below, for each.
+    /// Computes the messages of `variable`, which was multiplied last, to its neighbors from number `first` on, over
+    /// the union of their candidates, unscaled, into `scratch.updated`. Returns a lower bound of each message.
     pub(super) fn update(
         &self,
         variable: usize,
@@ -313,7 +312,7 @@ impl<'a> ActivePropagation<'a> {
         (near, far)
     }
 
-    /// The belief of `variable` over its candidates, summing to 1. All 0 if every product of messages vanishes.
+    /// The belief of `variable` over its candidates, summing to 1; all 0 if every product of messages vanishes.
     pub fn belief(&self, variable: usize) -> Vec<f32> {
         let n = self.model.candidates.labels(variable).len();
         let messages = self.incoming(variable);
@@ -330,12 +329,12 @@ impl<'a> ActivePropagation<'a> {
         (0..self.model.n_variables()).into_par_iter().map(spread).collect()
     }
 
-    /// Pairs of near labels that the message updates of one iteration visit.
+    /// Number of near label pairs visited by the message updates of one iteration.
     pub fn pair_updates(&self) -> u64 {
         self.groups.iter().map(|group| group.pair_updates(&self.model)).sum()
     }
 
-    /// Bytes of messages, lists and potentials.
+    /// Memory of messages, lists and potentials, bytes.
     pub fn memory_bytes(&self) -> usize {
         let values = self.messages.len() + self.spare.len() + self.phi.len() + 2 * self.model.candidates.n_candidates();
         4 * values + self.groups.iter().map(Group::bytes).sum::<usize>()

@@ -1,7 +1,7 @@
 //! Candidate sets that follow the beliefs: labels are dropped and added, messages are carried over.
 //!
-//! An added label gets the messages that its neighbours would have sent if it had been a candidate in their last update;
-//! the messages of the other labels are kept, so that a run continues after a revision instead of starting again.
+//! An added label gets the messages its neighbors would have sent, had it been a candidate in their last update. The
+//! messages of the other labels are kept, so that a run continues after a revision instead of starting again.
 
 use super::super::message_writer::inverse_of;
 use super::super::options::Product;
@@ -15,27 +15,27 @@ use super::sets::{ActiveSets, keep_first, with_potentials};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 
-/// Not a candidate.
+/// Marks a label that is not a candidate.
 const ABSENT: u32 = u32::MAX;
 
-/// The revision of a variable's set that follows from its belief.
+/// The revision of a variable's set derived from its belief.
 #[derive(Debug, Clone, PartialEq)]
 struct Ranking {
     /// Labels that stay, in any order.
     kept: Vec<u32>,
-    /// The best labels, whose neighbours are proposed to the variable's neighbours.
+    /// The best labels, whose neighbors are proposed to the variable's neighbors.
     best: Vec<u32>,
 }
 
 impl ActivePropagation<'_> {
-    /// Drops labels whose belief is far below the best and adds those that neighbours propose, according to `sets`.
+    /// Drops labels whose belief is far below the best and adds labels that neighbors propose, according to `sets`.
     /// Returns whether any set changed.
     ///
     /// # Errors
-    /// [`Cancelled`]; nothing has changed then.
+    /// [`Cancelled`]; nothing has changed in that case.
     ///
     /// # Cost
-    /// `O(n K k̄)` for the lists of near labels, more than an iteration and less than ten.
+    /// `O(n K k̄)` for the lists of near labels: between one and ten iterations.
     pub(super) fn revise(
         &mut self,
         sets: &ActiveSets,
@@ -52,11 +52,11 @@ impl ActivePropagation<'_> {
         self.adopt(rows, evidence, observer)
     }
 
-    /// Replaces the sets by those that [`ActiveSets::propose`] makes of `evidence`, with the best labels of the present beliefs
-    /// added. To be called when the feedback has changed; messages are carried over.
+    /// Replaces the sets by the proposals of [`ActiveSets::propose`] for `evidence`, plus the best labels of the
+    /// present beliefs. Call it when the feedback has changed; messages are carried over.
     ///
     /// # Errors
-    /// [`Cancelled`]; nothing has changed then.
+    /// [`Cancelled`]; nothing has changed in that case.
     pub fn reopen(
         &mut self,
         sets: &ActiveSets,
@@ -77,7 +77,8 @@ impl ActivePropagation<'_> {
         Ok(())
     }
 
-    /// Most candidates of a variable, of `wanted`, such that those of all neighbours of a variable can be counted.
+    /// The largest number of candidates per variable, at most `wanted`, for which the candidates of all neighbors of a
+    /// variable can be counted.
     fn largest_set(&self, wanted: usize) -> usize {
         let degree = (0..self.model.n_variables()).map(|i| self.model.variables.row(i).len()).max().unwrap_or(0);
         let few_labels = self.model.labels.n_labels() <= MAX_CANDIDATES;
@@ -100,8 +101,8 @@ impl ActivePropagation<'_> {
         (0..self.model.n_variables()).into_par_iter().map_init(Scratch::default, rank).collect()
     }
 
-    /// The next candidates of `variable`, ascending: those that stay and, as far as there is room, those that most
-    /// neighbours propose. `votes` is scratch.
+    /// The next candidates of `variable`, ascending: the labels that stay and, as far as there is room, the labels
+    /// proposed by most neighbors. `votes` is scratch.
     fn revised(&self, variable: usize, rankings: &[Ranking], largest: usize, votes: &mut Vec<u32>) -> Vec<u32> {
         let mut kept = rankings[variable].kept.clone();
         let order = kept.len().min(largest);
@@ -126,7 +127,7 @@ impl ActivePropagation<'_> {
         kept
     }
 
-    /// Makes `rows` the candidates; whether they differ from those before.
+    /// Makes `rows` the candidates; returns whether they changed.
     pub(super) fn adopt(
         &mut self,
         rows: Vec<Vec<u32>>,
@@ -160,7 +161,7 @@ impl ActivePropagation<'_> {
         Ok(true)
     }
 
-    /// The messages over candidates `next`, into `carried` in the order of `layout`.
+    /// Carries the messages over to the candidates `next`, into `carried` in the order of `layout`.
     fn carry(
         &self,
         next: &Candidates,
@@ -186,7 +187,7 @@ impl ActivePropagation<'_> {
         Ok(())
     }
 
-    /// `number` is scratch over all labels, [`ABSENT`] everywhere before and after.
+    /// `number` is scratch over all labels, [`ABSENT`] everywhere on entry and exit.
     fn carry_group(
         &self,
         group: &Group,
@@ -229,7 +230,7 @@ impl ActivePropagation<'_> {
         }
     }
 
-    /// What the message of `sender` would be at label `y`, which was no candidate. `number` has the sender's own.
+    /// The message of `sender` at label `y`, which was not a candidate. `number` holds the sender's own candidates.
     fn value_of(&self, y: u32, sender: Sender, cavity: &[EightLanes], number: &[u32]) -> f32 {
         let edge_factors = self.factors[sender.edge];
         let epsilon = self.model.pairwise.epsilon();
@@ -245,7 +246,7 @@ impl ActivePropagation<'_> {
                 terms.map(|(psi, h)| (psi.max(epsilon) - epsilon) * h).fold(epsilon * all, |sum, term| sum + term)
             }
         };
-        // A label that came in may be better than all before by more than the range of a number.
+        // A new label may be better than all others by more than the range of a number.
         (value * sender.scale).clamp(self.options.floor, f32::MAX)
     }
 }
@@ -257,11 +258,11 @@ struct Sender {
     lane: usize,
     /// `ε max h`.
     floor: f32,
-    /// One over the largest value at the candidates before.
+    /// The inverse of the largest value at the previous candidates.
     scale: f32,
 }
 
-/// Scales a message to maximum 1 if a label came in that is better than all before.
+/// Scales a message to maximum 1 if a new label is better than all others.
 fn scale_down(message: &mut [f32]) {
     let top = message.iter().copied().fold(0.0, f32::max);
     if top > 1.0 {

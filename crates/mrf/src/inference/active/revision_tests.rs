@@ -1,4 +1,4 @@
-//! Revised sets: messages of added labels, labels restored by neighbours, and equal bits on any number of threads.
+//! Revised sets: messages of added labels, labels restored by neighbors, and equal bits on any number of threads.
 
 use super::super::tests::{model_with_rings, path_with_chords};
 use super::super::{BeliefPropagation, Product};
@@ -27,7 +27,7 @@ proptest! {
         let mut active =
             ActivePropagation::new(ActiveModel::of(&model, candidates.clone()).unwrap(), options(product, 0.0, 1e-5));
         active.run(3, &Silent, |_| ()).unwrap();
-        // Labels are added to one variable; its neighbours' sets do not change, nor do the messages that they would
+        // Labels are added to one variable; its neighbors' sets do not change, nor do the messages that they would
         // send.
         let at = n / 2;
         let mut rows: Vec<Vec<u32>> = (0..n).map(|i| candidates.labels(i).to_vec()).collect();
@@ -131,9 +131,9 @@ fn sets_that_are_revised_to_all_labels_end_at_the_dense_answer() {
     assert_eq!((found.propagation.labeling, found.propagation.energy), (dense.labeling, dense.energy));
 }
 
-/// A chain that maps to itself, but one variable begins without the label that its neighbours agree on.
+/// A chain that maps to itself, but one variable begins without the label that its neighbors agree on.
 #[test]
-fn neighbours_bring_back_a_label_that_was_left_out() {
+fn neighbors_bring_back_a_label_that_was_left_out() {
     let n = 20usize;
     let edges: Vec<[u32; 2]> = (0..n as u32 - 1).map(|k| [k, k + 1]).collect();
     let mut model = model_with_rings(n, &edges, n, &[0.5], 1, 0.0, 4.0);

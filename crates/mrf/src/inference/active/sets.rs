@@ -1,36 +1,36 @@
-//! How large candidate sets are, how they begin and when they are revised.
+//! Size, initial choice and revision of candidate sets.
 
 use super::candidates::Candidates;
 use super::potentials::Evidence;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 
-/// Variables between two looks at the observer.
+/// Variables between two calls of the observer.
 const BATCH: usize = 1024;
 
 /// Sizes and revisions of candidate sets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActiveSets {
-    /// Labels that a variable begins with: those of its lowest unary potentials. At least 1.
+    /// Number of initial labels of a variable: those of its lowest unary potentials. At least 1.
     pub initial: usize,
-    /// Labels that a revision keeps at most because of their belief. At least 1.
+    /// Largest number of labels that a revision keeps because of their belief. At least 1.
     pub kept: usize,
-    /// Labels of a variable at most after a revision, those that its neighbours propose included.
+    /// Largest number of labels of a variable after a revision, including proposals of its neighbors.
     pub largest: usize,
-    /// A label is dropped whose unary potential, at the beginning, or whose belief, as an energy, later, is more than
-    /// this above the variable's best. Feedback counts.
+    /// A label is dropped if its cost exceeds the variable's best by more than this margin. The cost is the unary
+    /// potential at the start, and the belief as an energy later; feedback is included.
     pub margin: f32,
-    /// Iterations from one revision to the next, at least 1.
+    /// Iterations between revisions, at least 1.
     pub every: u32,
-    /// Best labels of each neighbour whose `N_1` a variable takes in at a revision.
+    /// Number of best labels of each neighbor whose `N_1` is added to a variable at a revision.
     pub best_of_neighbors: usize,
 }
 
 impl ActiveSets {
-    /// The sets that `evidence` alone proposes for `n_variables` over `n_labels`: of the labels within the margin of
-    /// the lowest potential the [`ActiveSets::initial`] lowest, the lower label where two are equal.
+    /// The sets proposed by `evidence` alone for `n_variables` over `n_labels`: the [`ActiveSets::initial`] labels of
+    /// lowest potential within the margin of the lowest; ties go to the lower label.
     ///
-    /// Cost `O(n_variables · n_labels)`, on all cores; memory of one row a thread.
+    /// Cost `O(n_variables · n_labels)`, on all cores; memory of one row per thread.
     ///
     /// # Errors
     /// [`Cancelled`].
@@ -81,7 +81,7 @@ impl ActiveSets {
     }
 }
 
-/// Leaves the `count` first of `values` in the order of `compare`, in any order.
+/// Keeps the first `count` of `values` in the order of `compare`, in any order.
 pub(super) fn keep_first<T>(values: &mut Vec<T>, count: usize, compare: impl Fn(&T, &T) -> std::cmp::Ordering) {
     if values.len() > count {
         values.select_nth_unstable_by(count, compare);

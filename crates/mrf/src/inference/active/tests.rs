@@ -129,7 +129,7 @@ proptest! {
         for edge in 0..model.variables.n_directed_edges() {
             let message = &active.messages[active.layout.message(active.reverse[edge] as usize)];
             match product {
-                // Maxima do not depend on an order, so that the bits are the same.
+                // Maxima do not depend on the order, so the bits are equal.
                 Product::Max => prop_assert_eq!(&message[..n_labels], &dense.incoming_message(edge)[..]),
                 Product::Sum => for (a, b) in message.iter().zip(dense.incoming_message(edge).iter()) {
                     prop_assert!((a - b).abs() < 1e-5, "{} against {}", a, b);
@@ -205,7 +205,7 @@ proptest! {
     }
 }
 
-/// A wheel: its hub has more neighbours than are treated side by side.
+/// A wheel: its hub has more neighbors than fit side by side.
 #[test]
 fn variables_of_high_degree_equal_the_dense_engine() {
     let rim = 37u32;

@@ -1,7 +1,8 @@
-//! One sweep: every variable once, color class by color class, on all cores, with the same bytes on any number.
+//! One sweep: visits every variable once, color class by color class, on all cores, with the same bytes on any number
+//! of cores.
 //!
-//! Variables of one class have no edge between them, so each is updated from the labels as they were before the
-//! class; then all changes are made one after the other, in a fixed order, and the running energy after each is exact.
+//! No edge joins two variables of a class, so each is updated from the labels before the class. All changes are then
+//! applied one after the other in a fixed order, and the running energy after each is exact.
 
 use super::colors::ColorClasses;
 use super::draws::{Draws, Purpose};
@@ -13,47 +14,47 @@ use homolog_primitives::graph::EdgeGraph;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 
-/// A class is split into at most this many parts, each with a scratch of its own.
+/// Largest number of parts of a class, each with its own scratch.
 const MAX_PARTS: usize = 16;
-/// Variables in a part at least: fewer are not worth handing to another thread.
+/// Smallest number of variables in a part: fewer are not worth handing to another thread.
 const MIN_PART: usize = 64;
-/// Variables between two looks at the observer: at 100,000 labels a variable costs about a tenth of a millisecond.
+/// Variables between two calls of the observer: at 100,000 labels a variable costs about a tenth of a millisecond.
 const CHECK_EVERY: usize = 16;
 
-/// How one variable is updated.
+/// Method of updating one variable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum SiteUpdate {
     /// Gibbs sampler at this temperature.
     Gibbs(f64),
     /// Metropolis sampler at this temperature.
     Metropolis(f64),
-    /// A random move, taken if it lowers the energy.
+    /// A random move, accepted if it lowers the energy.
     Descent,
 }
 
-/// How a sweep ended.
+/// Summary of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct SweepEnd {
-    /// Labels that changed.
+    /// Number of labels that changed.
     pub changed: u32,
-    /// Whether the target was reached; the rest of the sweep is then not made.
+    /// Whether the target was reached, in which case the rest of the sweep is skipped.
     pub target_reached: bool,
 }
 
-/// Classes and scratch, reused from sweep to sweep.
+/// Classes and scratch, reused between sweeps.
 pub(super) struct Sweeps {
     classes: ColorClasses,
-    /// One for every entry of `classes.order`.
+    /// One move for every entry of `classes.order`.
     moves: Vec<SiteMove>,
     /// Bounds of the far parts of the Gibbs sampler, in the same order.
     bounds: Vec<f64>,
-    /// The temperature down to which the bounds were made.
+    /// The lowest temperature for which the bounds were computed.
     bounded_at: f64,
     n_labels: usize,
     scratch: Vec<GibbsScratch>,
 }
 
-/// What the updates of a sweep read.
+/// Inputs of the updates of a sweep.
 struct Updates<'s> {
     energy: &'s SearchEnergy<'s>,
     labels: &'s [u32],
@@ -64,7 +65,8 @@ struct Updates<'s> {
 }
 
 impl Sweeps {
-    /// Sweeps over `graph`. With `gibbs` also the scratch of that sampler, `O(n_labels)` for each of at most 16 parts.
+    /// Sweeps over `graph`. With `gibbs`, also allocates the scratch of that sampler, `O(n_labels)` for each of at most
+    /// 16 parts.
     pub(super) fn new(graph: &EdgeGraph, n_labels: usize, gibbs: bool) -> Self {
         let classes = ColorClasses::new(graph);
         let largest = classes.ranges().map(|range| range.len()).max().unwrap_or(0);
@@ -79,7 +81,7 @@ impl Sweeps {
         }
     }
 
-    /// Discards the bounds on sums of unary weights. To be called when the unary potentials have changed.
+    /// Discards the bounds on sums of unary weights. Call it when the unary potentials have changed.
     pub(super) fn reset(&mut self) {
         self.bounded_at = 0.0;
     }

@@ -1,4 +1,4 @@
-//! Randomised minimisers against their oracles: exhaustive minima and marginals, full evaluations of the energy.
+//! Randomized minimizers against their oracles: exhaustive minima and marginals, full evaluations of the energy.
 
 use super::draws::{Draws, Purpose};
 use super::energy::SearchEnergy;
@@ -61,7 +61,7 @@ pub(super) fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Sen
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(work)
 }
 
-/// Says yes from the `after`-th question on.
+/// Asks to stop from the `after`-th question on.
 pub(super) struct CancelAfter(pub AtomicU32);
 
 impl Observer for CancelAfter {
@@ -134,7 +134,7 @@ fn gibbs_draws_follow_the_conditional_while_the_temperature_falls() {
     let mut scratch = GibbsScratch::new(n_labels);
     for i in [0usize, 57, 200] {
         let mut labels = energy.random_labels(3, 0);
-        // Some neighbours agree with each other, so that near and far parts both matter.
+        // Some neighbors agree with each other, so that near and far parts both matter.
         for &j in &model.variables.neighbors(i)[1..] {
             labels[j as usize] = 40 + j % 3;
         }
@@ -321,7 +321,7 @@ fn annealing_ends_certified_at_a_target() {
         let outcome = annealing.run(&run, &Silent, |_| ()).unwrap();
         assert_eq!((outcome.stop, outcome.certified), (SearchStop::TargetReached, true));
         assert!(outcome.energy.total() <= lowest);
-        // From there it has nothing to do.
+        // From there nothing is left to improve.
         let again = annealing.run(&SearchRun { start: Some(&outcome.labeling), ..run }, &Silent, |_| ()).unwrap();
         assert_eq!((again.sweeps, again.certified), (0, true));
     }

@@ -1,14 +1,13 @@
 //! Rows of Boltzmann weights `exp(−E/T)` and draws from them.
 //!
-//! The exponential is that of [`homolog_primitives::exponential`], so that the loop vectorizes and every instruction set gives the
-//! same bits.
+//! The exponential of [`homolog_primitives::exponential`] vectorizes and gives the same bits on every instruction set.
 
 use homolog_primitives::exponential::exp_negative;
 use multiversion::multiversion;
 
 /// Weights summed side by side.
 const LANES: usize = 16;
-/// Weights under one partial sum; a draw walks over partial sums first.
+/// Weights per partial sum; a draw walks over partial sums first.
 const BLOCK: usize = 64;
 
 /// `weights[k] = exp((shift − energies[k]) · inverse)`; every energy at least `shift`.
@@ -26,12 +25,12 @@ fn boltzmann(energies: &[f32], shift: f32, inverse: f32, weights: &mut [f32]) {
 fn boltzmann_gain(lowered: &[f32], raised: &[f32], shift: f32, inverse: f32, weights: &mut [f32]) {
     for ((weight, &low), &high) in weights.iter_mut().zip(lowered).zip(raised) {
         let gain = exp_negative((shift - low) * inverse) - exp_negative((shift - high) * inverse);
-        // The polynomial is monotone only to its rounding.
+        // The polynomial is monotone only up to its rounding.
         *weight = if gain > 0.0 { gain } else { 0.0 };
     }
 }
 
-/// Sums of blocks of [`BLOCK`] weights, in an order that no instruction set changes.
+/// Sums of blocks of [`BLOCK`] weights, in the same order on every instruction set.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
 #[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 fn block_sums(weights: &[f32], sums: &mut [f32]) {
@@ -46,10 +45,10 @@ fn block_sums(weights: &[f32], sums: &mut [f32]) {
     }
 }
 
-/// A row of weights. Its memory is made once, for the longest row.
+/// A row of weights. Its memory is allocated once, for the longest row.
 #[derive(Debug, Clone)]
 pub(super) struct WeightRow {
-    /// Whole blocks; zero beyond the row in use.
+    /// Whole blocks of weights; zero beyond the row in use.
     weights: Vec<f32>,
     sums: Vec<f32>,
     /// Blocks of the row in use.
@@ -69,7 +68,7 @@ impl WeightRow {
         self.finish(energies.len())
     }
 
-    /// Fills the row with what the weight gains where an energy is `lowered` instead of `raised`; returns the sum.
+    /// Fills the row with the gain of each weight when its energy is `lowered` instead of `raised`; returns the sum.
     pub(super) fn fill_gain(&mut self, lowered: &[f32], raised: &[f32], shift: f32, inverse: f32) -> f64 {
         boltzmann_gain(lowered, raised, shift, inverse, &mut self.weights[..lowered.len()]);
         self.finish(lowered.len())
@@ -84,8 +83,8 @@ impl WeightRow {
         sums.iter().map(|&s| f64::from(s)).sum()
     }
 
-    /// The index at which the running sum of the weights passes `at`, in `[0, sum)`; never one of weight 0 unless all
-    /// are. Cost `O(n/64)`.
+    /// The index at which the running sum of the weights passes `at`, in `[0, sum)`. Its weight is positive unless all
+    /// weights are 0. Cost `O(n/64)`.
     pub(super) fn pick(&self, mut at: f64) -> usize {
         let mut last = 0;
         for (block, &sum) in self.sums[..self.blocks].iter().enumerate() {
@@ -95,7 +94,7 @@ impl WeightRow {
             let range = block * BLOCK..(block + 1) * BLOCK;
             let here = at < f64::from(sum);
             for index in range.filter(|&k| self.weights[k] > 0.0) {
-                // Lanes and this walk round differently: the last positive weight takes what is left.
+                // Lanes and this walk round differently: the last positive weight takes the remainder.
                 last = index;
                 if here {
                     at -= f64::from(self.weights[index]);

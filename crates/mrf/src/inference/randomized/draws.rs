@@ -1,18 +1,17 @@
-//! The random streams of the randomised minimisers: one for every variable in every sweep.
+//! The random streams of the randomized minimizers: one for every variable in every sweep.
 //!
-//! A stream is named by `(seed, purpose, sweep, variable)` and by nothing else, so it does not matter which thread
-//! draws from it, nor what was drawn before. The generator is xoshiro256++ (Blackman, Vigna, ACM Trans. Math. Softw.
-//! 47(4), 2021).
+//! A stream is named by `(seed, purpose, sweep, variable)` alone, so draws depend neither on the thread nor on earlier
+//! draws. The generator is xoshiro256++ (Blackman, Vigna, ACM Trans. Math. Softw. 47(4), 2021).
 
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// What a stream is used for; the constants have nothing to hide, they keep streams apart.
+/// Purpose of a stream; the arbitrary constants only keep streams apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Purpose {
     /// Random labels to start from.
     Start = 0x2357_1113,
-    /// Moves that measure the energy's spread.
+    /// Moves that measure the spread of the energy.
     Temperature = 0x1719_2329,
     /// The change of one variable in one sweep.
     Site = 0x3137_4143,
@@ -25,7 +24,7 @@ pub(super) struct Draws(Xoshiro256PlusPlus);
 impl Draws {
     /// The stream of `variable` in `sweep`.
     pub(super) fn new(seed: u64, purpose: Purpose, sweep: u32, variable: u32) -> Self {
-        // Seeds and counters are scrambled one after the other: neighbouring names must not give neighbouring states.
+        // Seeds and counters are scrambled in sequence, so that neighboring names do not give neighboring states.
         let key = scramble(seed ^ purpose as u64);
         let key = scramble(key ^ (u64::from(sweep) << 32 | u64::from(variable)));
         Draws(Xoshiro256PlusPlus::seed_from_u64(key))
@@ -43,7 +42,7 @@ impl Draws {
     }
 }
 
-/// The finalizer of MurmurHash3: a bijection of which every output bit depends on every input bit.
+/// The finalizer of MurmurHash3: a bijection in which every output bit depends on every input bit.
 fn scramble(mut z: u64) -> u64 {
     z = (z ^ (z >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd);
     z = (z ^ (z >> 33)).wrapping_mul(0xc4ce_b9fe_1a85_ec53);
@@ -69,9 +68,9 @@ mod tests {
         }
     }
 
-    /// First numbers of many neighbouring streams: mean and variance of each, and no correlation along the counters.
+    /// First numbers of many neighboring streams: mean and variance of each, and no correlation along the counters.
     #[test]
-    fn first_draws_of_neighbouring_streams_are_uniform_and_uncorrelated() {
+    fn first_draws_of_neighboring_streams_are_uniform_and_uncorrelated() {
         let unit = |sweep, variable| Draws::new(1, Purpose::Site, sweep, variable).unit() - 0.5;
         let n = 40_000u32;
         let along_variables: Vec<f64> = (0..n).map(|i| unit(1, i)).collect();

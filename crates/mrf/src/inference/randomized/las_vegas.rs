@@ -1,8 +1,9 @@
-//! Las Vegas: random local moves that lower the energy, random restarts, and an answer that is certified or says so.
+//! Las Vegas: random local moves that lower the energy, random restarts, and an answer that is either certified or
+//! marked as not.
 //!
-//! Source: the name is Babai's (1979): an algorithm that may take long but does not give a wrong answer unnoticed.
-//! Here the answer is right when its energy is at most a stated target, which a full evaluation of the energy shows.
-//! Without a restart in a good basin the target is missed, and the outcome says that the budget ended.
+//! Source: the name is Babai's (1979), for an algorithm that may take long but never gives a wrong answer unnoticed.
+//! Here an answer is right if a full evaluation shows its energy to be at most a stated target. Without a restart in a
+//! good basin the target is missed, and the outcome reports that the budget ended.
 
 use super::energy::SearchEnergy;
 use super::search::{RunEnd, SearchOutcome, SearchRun, SearchStop, SearchSweep};
@@ -10,10 +11,10 @@ use super::sweeps::{SiteUpdate, Sweeps};
 use crate::MrfModel;
 use homolog_primitives::observe::{Cancelled, Observer};
 
-/// How Las Vegas runs.
+/// Options of Las Vegas.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LasVegasOptions {
-    /// Number of consecutive sweeps without a move after which a descent is given up and another one begins from random
+    /// Number of consecutive sweeps without a move after which a descent is abandoned and another begins from random
     /// labels.
     pub patience: u32,
 }
@@ -26,14 +27,14 @@ pub struct LasVegas<'a> {
 }
 
 impl<'a> LasVegas<'a> {
-    /// Las Vegas over `model`, which has a label at least. Cost `O(n_variables · n_labels)`.
+    /// Las Vegas over `model`, which has at least one label. Cost `O(n_variables · n_labels)`.
     pub fn new(model: &'a MrfModel, options: LasVegasOptions) -> Self {
         let sweeps = Sweeps::new(&model.variables, model.n_labels(), false);
         LasVegas { options, energy: SearchEnergy::new(model), sweeps }
     }
 
-    /// As [`SimulatedAnnealing::set_bias`](super::SimulatedAnnealing::set_bias). Moves are judged by the energy with
-    /// the bias, the target by the energy without.
+    /// Like [`SimulatedAnnealing::set_bias`](super::SimulatedAnnealing::set_bias). The energy with the bias decides on
+    /// moves, the energy without it on the target.
     pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         self.energy.set_bias(add);
     }
@@ -41,7 +42,7 @@ impl<'a> LasVegas<'a> {
     /// Descends and restarts until the target is reached or the sweeps are used up. Without a target it uses all of
     /// them and returns the best labeling. A sweep makes one random move at every variable and costs `O(|E→| log k̄)`.
     ///
-    /// `run.start` is where the first descent begins. `on_sweep` is called after every sweep.
+    /// The first descent begins at `run.start`. `on_sweep` is called after every sweep.
     ///
     /// # Errors
     /// [`Cancelled`] as soon as `observer` asks to stop.

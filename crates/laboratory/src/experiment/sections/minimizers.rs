@@ -1,4 +1,4 @@
-//! Energy minimisation: belief propagation, tree-reweighted messages, annealing with two samplers, Las Vegas.
+//! Energy minimization: belief propagation, tree-reweighted messages, annealing with two samplers, Las Vegas.
 
 use super::{About, Body, Experiment, MATCHED, WITHIN_1, pairs_of, sentences};
 use crate::experiment::document::{Axis, Cell, Column, Plot, PlotKind, PlotPoint, Series, Table};
@@ -8,7 +8,7 @@ use crate::experiment::study::{REAL, SYNTHETIC, Setting, Study};
 use crate::experiment::units::Unit;
 use serde_json::{Value, json};
 
-pub(in crate::experiment) struct Minimisers;
+pub(in crate::experiment) struct Minimizers;
 
 const BP: &str = "belief propagation";
 
@@ -36,14 +36,14 @@ fn settings(study: &Study<'_>) -> Vec<Setting> {
     all
 }
 
-impl Experiment for Minimisers {
+impl Experiment for Minimizers {
     fn about(&self) -> About {
         About {
-            id: "minimisers",
-            title: "Energy minimisation: message passing, simulated annealing and Las Vegas",
-            question: "Which minimiser reaches the lowest energy, how long does it take, and how far above the lower bound \
+            id: "minimizers",
+            title: "Energy minimization: message passing, simulated annealing and Las Vegas",
+            question: "Which minimizer reaches the lowest energy, how long does it take, and how far above the lower bound \
                        does it end?",
-            varied: "The minimiser and the cooling schedule; the energy, the seed and the budget of sweeps are fixed, and \
+            varied: "The minimizer and the cooling schedule; the energy, the seed and the budget of sweeps are fixed, and \
                      clamping is off.",
         }
     }
@@ -90,7 +90,7 @@ fn gap(group: &Group<'_>, setting: &str) -> Option<Summary> {
 
 fn table(id: &str, title: &str, group: &Group<'_>) -> Table {
     let columns = vec![
-        Column::plain("minimiser"),
+        Column::plain("minimizer"),
         Column::plain("pairs"),
         Column::new("energy", "", 1),
         Column::new("excess over belief propagation", "%", 1),

@@ -1,16 +1,16 @@
-//! How the temperature of simulated annealing falls from sweep to sweep.
+//! Cooling of simulated annealing: the temperature of each sweep.
 //!
-//! Every schedule begins at the initial temperature in the first sweep. Geometric and linear ones end at the final one
-//! in the last; the logarithmic one falls as it must and does not get there in any practical number of sweeps.
+//! Every schedule begins at the initial temperature in the first sweep. Geometric and linear schedules end at the final
+//! temperature in the last sweep; the logarithmic schedule does not reach it in any practical number of sweeps.
 
 use super::draws::{Draws, Purpose};
 use super::energy::SearchEnergy;
 
-/// Lowest temperature: below it no energy difference that 32 bits can tell from rounding would be accepted, and
-/// divisions by it stay finite.
+/// Lowest temperature: below it only energy differences within the rounding of 32 bits would be accepted. Divisions by
+/// it stay finite.
 pub(super) const COLDEST: f64 = 1e-6;
 
-/// Random moves from which the initial temperature is estimated: the standard deviation is then known to a few percent.
+/// Random moves that estimate the initial temperature: the standard deviation is then known to a few percent.
 const TRIAL_MOVES: u32 = 1024;
 
 /// The form of the cooling curve; `k` counts sweeps from 1 to `K`.
@@ -19,9 +19,9 @@ pub enum Cooling {
     /// `T_k = T_1 (T_K / T_1)^((k−1)/(K−1))`. Kirkpatrick, Gelatt, Vecchi, Science 220, 1983.
     Geometric,
     /// `T_k = T_1 ln 2 / ln(1 + k)`, but never less than the final temperature. Geman, Geman, IEEE PAMI 6(6), 1984;
-    /// their proof that the minimum is found asks for a `T_1` so large that no budget suffices. After 1,000 sweeps
-    /// the temperature is still a tenth of the initial one. Meeting a colder end by another base of the logarithm would
-    /// make it a quench: nearly all of the fall would happen in the first sweeps.
+    /// their proof that the minimum is found requires a `T_1` for which no budget suffices. After 1,000 sweeps the
+    /// temperature is still a tenth of the initial one. Another base of the logarithm would reach a colder end, but as
+    /// a quench: nearly all of the fall would happen in the first sweeps.
     Logarithmic,
     /// `T_k = T_1 + (T_K − T_1)(k−1)/(K−1)`.
     Linear,
@@ -37,15 +37,15 @@ pub(super) struct Temperatures {
 }
 
 impl Temperatures {
-    /// From `initial` to `last` in `sweeps` sweeps. A final temperature above the initial one counts as equal to it,
-    /// and what is below [`COLDEST`] counts as that.
+    /// Temperatures from `initial` to `last` in `sweeps` sweeps. A final temperature above the initial one is replaced
+    /// by it, and temperatures below [`COLDEST`] by [`COLDEST`].
     pub(super) fn new(schedule: Cooling, initial: f64, last: f64, sweeps: u32) -> Self {
         let initial = initial.max(COLDEST);
         let last = last.clamp(COLDEST, initial);
         Temperatures { schedule, initial, last, sweeps }
     }
 
-    /// Temperature of sweep `k`, from 1; never more than that of the sweep before.
+    /// Temperature of sweep `k`, from 1; never rises.
     pub(super) fn at(&self, k: u32) -> f64 {
         if k <= 1 {
             return self.initial;
@@ -62,8 +62,8 @@ impl Temperatures {
 
 /// The spread of the energy: the standard deviation of `ΔE` over random changes of one label, from random labels.
 ///
-/// At a temperature of this size a typical change for the worse is accepted about every third time. 1 if no change
-/// changes the energy. Source: White, ICCD 1984. Cost `O(degree · log k̄)` a move, 1024 moves.
+/// At this temperature a typical worsening change is accepted about every third time. Returns 1 if no change affects
+/// the energy. Source: White, ICCD 1984. Cost `O(degree · log k̄)` per move, 1024 moves.
 pub(super) fn energy_spread(energy: &SearchEnergy<'_>, seed: u64) -> f64 {
     let (n, n_labels) = (energy.model.n_variables() as u64, energy.model.n_labels() as u64);
     if n == 0 {

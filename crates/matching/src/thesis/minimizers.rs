@@ -1,7 +1,7 @@
-//! The minimiser that the parameters name.
+//! The minimizer that the parameters name.
 
 use super::active_labels::ActiveLabels;
-use super::minimiser::{InferenceRun, Labeled, Minimiser, OnStep};
+use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
 use super::propagation::Propagation;
 use crate::pair::vertex_map::VertexMap;
 use homolog_contract::parameters::{
@@ -27,14 +27,14 @@ const PROGRESS_TOLERANCE: f64 = 1e-5;
 /// An annealer is frozen when no label has changed for this number of sweeps.
 const FROZEN_SWEEPS: u32 = 20;
 
-/// The minimiser that `parameters` name. `lower_bound` is a target for those that have one.
-pub(crate) fn minimiser<'a>(
+/// The minimizer that `parameters` name. `lower_bound` is a target for those that have one.
+pub(crate) fn minimizer<'a>(
     model: &'a MrfModel,
     parameters: &MatchParameters,
     lower_bound: Option<f64>,
-) -> Box<dyn Minimiser + 'a> {
+) -> Box<dyn Minimizer + 'a> {
     let p = &parameters.inference;
-    let propagation = |product| -> Box<dyn Minimiser + 'a> {
+    let propagation = |product| -> Box<dyn Minimizer + 'a> {
         match p.update {
             Update::Active => Box::new(ActiveLabels::new(model, bp_options(parameters, product))),
             Update::Sparse | Update::Full => {
@@ -47,7 +47,7 @@ pub(crate) fn minimiser<'a>(
     };
     match p.algorithm {
         Algorithm::SumProduct => propagation(Product::Sum),
-        // Registration alone has no rounds and needs no minimiser.
+        // Registration alone has no rounds and needs no minimizer.
         Algorithm::MaxProduct | Algorithm::None => propagation(Product::Max),
         Algorithm::TreeReweighted => Box::new(Dual { model, biased: None }),
         Algorithm::Gibbs => search(Engine::Annealing(annealing(model, p, Sampler::Gibbs))),
@@ -103,13 +103,13 @@ fn annealing<'a>(model: &'a MrfModel, p: &InferenceParameters, sampler: Sampler)
     SimulatedAnnealing::new(model, options)
 }
 
-/// The dual method as a minimiser: every round raises the bound of its own energy, feedback included.
+/// The dual method as a minimizer: every round raises the bound of its own energy, feedback included.
 struct Dual<'a> {
     model: &'a MrfModel,
     biased: Option<MrfModel>,
 }
 
-impl Minimiser for Dual<'_> {
+impl Minimizer for Dual<'_> {
     fn reset(&mut self) {}
 
     fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync)) {
@@ -121,10 +121,10 @@ impl Minimiser for Dual<'_> {
 
     fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
         let &InferenceRun { round, budget, observer, .. } = run;
-        let minimised = self.biased.as_ref().unwrap_or(self.model);
+        let minimized = self.biased.as_ref().unwrap_or(self.model);
         let mut last: Labeling = Vec::new();
         let options = DualOptions { gap_tolerance: GAP_TOLERANCE, progress_tolerance: PROGRESS_TOLERANCE };
-        let outcome = DualBound::new(minimised, options).run(budget, observer, |iteration, labeling| {
+        let outcome = DualBound::new(minimized, options).run(budget, observer, |iteration, labeling| {
             let energy = self.model.energy(labeling);
             let changed = labeling.iter().zip(&last).filter(|(a, b)| a != b).count();
             on_step(TracePoint {
@@ -140,7 +140,7 @@ impl Minimiser for Dual<'_> {
             last = labeling.to_vec();
         })?;
         let DualOutcome { labeling, iterations, stop, .. } = outcome;
-        let confidence = local_confidence(minimised, &labeling, observer)?;
+        let confidence = local_confidence(minimized, &labeling, observer)?;
         Ok(Labeled {
             energy: self.model.energy(&labeling),
             map: VertexMap { spread_mm: vec![0.0; labeling.len()], labeling, confidence },
@@ -167,7 +167,7 @@ enum Engine<'a> {
     LasVegas(LasVegas<'a>),
 }
 
-/// A randomised minimiser. A round after the first starts with the labels of the one before.
+/// A randomized minimizer. A round after the first starts with the labels of the one before.
 struct Search<'a> {
     engine: Engine<'a>,
     seed: u64,
@@ -175,7 +175,7 @@ struct Search<'a> {
     last: Option<Labeling>,
 }
 
-impl Minimiser for Search<'_> {
+impl Minimizer for Search<'_> {
     fn reset(&mut self) {
         self.last = None;
     }

@@ -1,4 +1,4 @@
-//! One interface to all minimisers of the energy, so that the rounds of a match do not depend on which one runs.
+//! One interface to all minimizers of the energy, so that the rounds of a match do not depend on which one runs.
 
 use crate::pair::vertex_map::VertexMap;
 use homolog_contract::result::{ConvergenceDocument, StopReason};
@@ -6,7 +6,7 @@ use homolog_mrf::Energy;
 use homolog_primitives::observe::{Cancelled, Observer, TracePoint};
 use nalgebra::Point3;
 
-/// A labeling, and how the minimiser came to it.
+/// A labeling, and how the minimizer came to it.
 pub(crate) struct Labeled {
     pub map: VertexMap,
     pub energy: Energy,
@@ -18,7 +18,7 @@ pub(crate) struct Labeled {
 /// Called with every point of the trace.
 pub(crate) type OnStep<'f> = &'f mut dyn FnMut(TracePoint);
 
-/// One run of a minimiser.
+/// One run of a minimizer.
 #[derive(Clone, Copy)]
 pub(crate) struct InferenceRun<'r> {
     /// Number of the round, for the points of the trace.
@@ -30,14 +30,14 @@ pub(crate) struct InferenceRun<'r> {
     pub observer: &'r dyn Observer,
 }
 
-/// A minimiser that is used again from round to round.
-pub(crate) trait Minimiser {
+/// A minimizer that is used again from round to round.
+pub(crate) trait Minimizer {
     /// Drops what earlier runs left: the next run starts cold.
     fn reset(&mut self);
 
     /// Sets the unary potentials to the model's plus what `add(i, row)` adds to the row of variable `i`.
     fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync));
 
-    /// Minimises the energy, and calls `on_step` with every point of the trace.
+    /// Minimizes the energy, and calls `on_step` with every point of the trace.
     fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled>;
 }

@@ -1,4 +1,4 @@
-//! What simulated annealing and Las Vegas have in common: the parameters of a run, its reports and its result.
+//! Parameters, reports and results that simulated annealing and Las Vegas share.
 
 use super::energy::SearchEnergy;
 use super::gibbs::GibbsScratch;
@@ -10,13 +10,13 @@ use rayon::prelude::*;
 /// Parameters of one run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchRun<'s> {
-    /// Sweeps at most; a sweep visits every variable once.
+    /// Largest number of sweeps; a sweep visits every variable once.
     pub sweeps: u32,
-    /// Seed of everything that is drawn. The same seed gives the same bytes on any number of threads.
+    /// Seed of all draws. The same seed gives the same bytes on any number of threads.
     pub seed: u64,
-    /// Labels to start from, one a variable; `None`: uniform at random.
+    /// Initial labels, one per variable; `None`: uniform at random.
     pub start: Option<&'s [u32]>,
-    /// The run ends as soon as the energy of the model, bias not included, is at most this.
+    /// The run ends as soon as the energy of the model, bias excluded, is at most this value.
     pub target_energy: Option<f64>,
 }
 
@@ -31,19 +31,19 @@ pub enum SearchStop {
     Frozen,
 }
 
-/// One finished sweep. Energies are those of the model, bias not included; with `T = ∞` a broken edge counts a finite
+/// One finished sweep. Energies are those of the model, bias excluded; with `T = ∞` a broken edge counts as a finite
 /// stand-in.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchSweep {
     /// From 1.
     pub sweep: u32,
-    /// Energy of the labeling after it.
+    /// Energy of the labeling after the sweep.
     pub energy: Energy,
-    /// Energy of the best labeling so far, which is not always the one after a sweep.
+    /// Energy of the best labeling so far, which may have occurred within a sweep.
     pub best_energy: Energy,
     /// Temperature of the sweep; `None` for descent.
     pub temperature: Option<f64>,
-    /// Variables whose label changed: accepted moves.
+    /// Number of variables whose label changed (accepted moves).
     pub labels_changed: u32,
     /// Restarts so far.
     pub restarts: u32,
@@ -52,14 +52,14 @@ pub struct SearchSweep {
 /// The result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchOutcome {
-    /// The labeling that reached the target, otherwise the best one after any single change of the run. Best by what
-    /// was minimised: the energy with the bias.
+    /// The labeling that reached the target, otherwise the best one after any single change of the run. "Best" refers
+    /// to the minimized quantity, the energy with the bias.
     pub labeling: Labeling,
-    /// For every variable `p(x_i | neighbours) ∝ exp(−E_i)`, the probability of its label if all others are right, at
-    /// temperature 1. It costs one pass over all unary potentials. It is no marginal: it takes the labels of the
-    /// neighbours for certain, and is nearer to 1 than a marginal wherever neighbours agree.
+    /// For every variable the conditional probability of its label, `p(x_i | neighbors) ∝ exp(−E_i)`, at temperature 1.
+    /// Costs one pass over all unary potentials. It is not a marginal: it takes the labels of the neighbors as certain,
+    /// and is nearer to 1 than a marginal wherever neighbors agree.
     pub confidence: Vec<f64>,
-    /// Energy of the labeling by a full evaluation of the model, bias not included; infinite if `T = ∞` and an edge is
+    /// Energy of the labeling by a full evaluation of the model, bias excluded; infinite if `T = ∞` and an edge is
     /// broken.
     pub energy: Energy,
     /// Sweeps begun.
@@ -68,11 +68,11 @@ pub struct SearchOutcome {
     pub restarts: u32,
     /// Why the run ended.
     pub stop: SearchStop,
-    /// Whether a full evaluation of the model found the energy to be at most the target. Never without a target.
+    /// Whether a full evaluation of the model found the energy to be at most the target; false without a target.
     pub certified: bool,
 }
 
-/// Variables of which one thread computes the confidences in one go.
+/// Variables per task of the confidences.
 const PART: usize = 64;
 
 impl SearchRun<'_> {
@@ -113,8 +113,8 @@ impl RunEnd {
     }
 }
 
-/// For every variable `p(x_i | neighbours) ∝ exp(−E_i)`, the probability of its label if all others are right, of a
-/// labeling that any minimiser found. Cost `O(n_variables · n_labels)`, on all cores.
+/// For every variable the conditional probability of its label, `p(x_i | neighbors) ∝ exp(−E_i)`, in a labeling of any
+/// minimizer. Cost `O(n_variables · n_labels)`, on all cores.
 ///
 /// # Errors
 /// [`Cancelled`].

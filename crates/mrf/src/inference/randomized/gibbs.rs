@@ -1,17 +1,17 @@
-//! The Gibbs sampler at one variable: a draw from `p(x) ∝ exp(−E_i(x)/T)`, all other labels as they are.
+//! The Gibbs sampler at one variable: a draw from `p(x) ∝ exp(−E_i(x)/T)`, with all other labels fixed.
 //!
-//! Source: Geman, Geman, IEEE PAMI 6(6), 1984. How the draw avoids most of the labels is ours:
+//! Source: Geman, Geman, IEEE PAMI 6(6), 1984. The method of avoiding most labels in a draw is original:
 //!
 //! With the constant `degree · T_trunc` left out, `E_i(x) = θ_i(x) − g(x)`, where `g(x) = Σ_j [T_trunc − θ_ij(x, x_j)]`
-//! is not negative and is 0 outside of `∪_j N_r(x_j)`. So the weights are a sum of two parts that are not negative:
-//! the **far** part `exp(−θ_i/T)` over all labels, which no neighbour changes, and the **near** part, the gain
-//! `exp(−(θ_i − g)/T) − exp(−θ_i/T)` of a few dozen labels. The near part is computed; of the far part only a bound of
-//! its sum is needed. Relative to the row's minimum that sum never grows while the temperature falls, so the sum of
-//! an earlier sweep is such a bound. A draw that falls into the far part computes it, tightens the bound and starts
-//! over if it fell into the slack between bound and sum: rejection sampling, exact.
+//! is non-negative, and 0 outside of `∪_j N_r(x_j)`. The weights are therefore a sum of two non-negative parts. The
+//! **far** part `exp(−θ_i/T)`, over all labels, does not depend on neighbors. The **near** part is the gain `exp(−(θ_i
+//! − g)/T) − exp(−θ_i/T)` of a few dozen labels. The near part is computed; for the far part only a bound of its sum is
+//! needed. Relative to the row's minimum that sum never grows while the temperature falls, so the sum of an earlier
+//! sweep is such a bound. A draw that falls into the far part computes it and tightens the bound. If it fell into the
+//! slack between bound and sum, it starts over: this is rejection sampling, and exact.
 //!
-//! Cost: `O(degree · k̄)`, and `O(n_labels)` whenever the far part is hit, which is always at high temperatures and
-//! hardly ever once labels agree with their neighbours'.
+//! Cost: `O(degree · k̄)`, plus `O(n_labels)` whenever the far part is hit, which happens always at high temperatures
+//! and hardly ever once labels agree with their neighbors'.
 
 use super::draws::Draws;
 use super::energy::SearchEnergy;
@@ -20,18 +20,18 @@ use super::weights::WeightRow;
 /// Scratch of one thread: nothing is allocated in a sweep.
 #[derive(Debug, Clone)]
 pub(super) struct GibbsScratch {
-    /// `g(x)`, 0 between two variables.
+    /// `g(x)`; reset to 0 after each variable.
     gain: Vec<f32>,
     /// Labels with a gain.
     touched: Vec<u32>,
-    /// Their energies without and with it, relative to the row's minimum.
+    /// Energies of these labels without and with the gain, relative to the row's minimum.
     raised: Vec<f32>,
     lowered: Vec<f32>,
     near: WeightRow,
     far: WeightRow,
 }
 
-/// A bound of the far part that holds at any temperature: no weight is above 1.
+/// A bound of the far part at any temperature: no weight exceeds 1.
 pub(super) fn loosest_bound(n_labels: usize) -> f64 {
     n_labels as f64
 }
@@ -49,8 +49,8 @@ impl GibbsScratch {
         }
     }
 
-    /// Draws a label for variable `i`. `bound` is at least the sum of the far part relative to the row's minimum, at
-    /// this temperature, and becomes tighter.
+    /// Draws a label for variable `i`. `bound` is at least the sum of the far part relative to the row's minimum at
+    /// this temperature; the draw tightens it.
     pub(super) fn draw(
         &mut self,
         energy: &SearchEnergy<'_>,
@@ -79,7 +79,7 @@ impl GibbsScratch {
         }
     }
 
-    /// `p(x_i = labels[i] | neighbours)` at temperature 1. Cost `O(degree · k̄ + n_labels)`.
+    /// `p(x_i = labels[i] | neighbors)` at temperature 1. Cost `O(degree · k̄ + n_labels)`.
     pub(super) fn confidence(&mut self, energy: &SearchEnergy<'_>, labels: &[u32], i: usize) -> f64 {
         let lowest = self.gather(energy, labels, i);
         let near = self.near.fill_gain(&self.lowered, &self.raised, lowest, 1.0);
@@ -94,7 +94,7 @@ impl GibbsScratch {
         self.far.fill(energy.unary_row(i), energy.row_minimum(i), inverse)
     }
 
-    /// Finds the labels with a gain and their energies; returns the lowest of all energies relative to the row's
+    /// Finds the labels with a gain, and their energies; returns the lowest of all energies relative to the row's
     /// minimum, at most 0.
     fn gather(&mut self, energy: &SearchEnergy<'_>, labels: &[u32], i: usize) -> f32 {
         let model = energy.model;

@@ -1,9 +1,9 @@
 //! Simulated annealing: random changes of single labels at a temperature that falls.
 //!
 //! Source: Kirkpatrick, Gelatt, Vecchi, Science 220, 1983; with the Gibbs sampler Geman, Geman, IEEE PAMI 6(6), 1984.
-//! Annealing is the classical reference for belief propagation: it needs no messages (`O(n_variables + n_labels)` of
-//! memory beside the unary potentials), samples, and lowers the energy of a labeling that belief propagation found when
-//! it starts from that at a low temperature.
+//! Annealing is the classical reference for belief propagation. It needs no messages (only `O(n_variables + n_labels)`
+//! of memory beside the unary potentials), and it samples. Started at a low temperature from a labeling of belief
+//! propagation, it lowers the energy of that labeling.
 
 use super::energy::SearchEnergy;
 use super::schedule::{Cooling, Temperatures, energy_spread};
@@ -12,37 +12,36 @@ use super::sweeps::{SiteUpdate, Sweeps};
 use crate::MrfModel;
 use homolog_primitives::observe::{Cancelled, Observer};
 
-/// Initial temperature in spreads of the energy where none is given. Labels of two surfaces begin to agree all at once
-/// near one spread; a run that begins there freezes into patches. Of 1, 1.5, 2 and 3 spreads, 2 gave the lowest mean
-/// energy of three seeds, with both samplers and the geometric schedule, on two generated surfaces of 660 vertices.
+/// Default initial temperature in spreads of the energy. Labels of two surfaces begin to agree all at once near one
+/// spread; a run that begins there freezes into patches. Of 1, 1.5, 2 and 3 spreads, 2 gave the lowest mean energy of
+/// three seeds, with both samplers and the geometric schedule, on two generated surfaces of 660 vertices.
 const INITIAL_SPREADS: f64 = 2.0;
-/// Final temperature as a share of the initial one where none is given: a typical change for the worse is then never
-/// accepted.
+/// Default final temperature as a share of the initial one: a typical worsening change is then never accepted.
 const FINAL_SHARE: f64 = 0.005;
 
-/// How a label is drawn at a temperature. Both keep `p(x) ∝ exp(−E(x)/T)`.
+/// Method of drawing a label at a temperature. Both keep `p(x) ∝ exp(−E(x)/T)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampler {
-    /// From all labels at once, by their conditional probabilities. A sweep costs `O(|E→| k̄)` once labels agree with
-    /// their neighbours', and up to `O(n_variables · n_labels)` while it is hot.
+    /// Draws from all labels at once, by their conditional probabilities. A sweep costs `O(|E→| k̄)` once labels agree
+    /// with their neighbors', and up to `O(n_variables · n_labels)` while the temperature is high.
     Gibbs,
     /// One proposal, accepted with `min(1, exp(−ΔE/T))`, corrected for asymmetric proposals. A sweep costs
     /// `O(|E→| log k̄)`.
     Metropolis,
 }
 
-/// How simulated annealing runs.
+/// Options of simulated annealing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AnnealingOptions {
-    /// How labels are drawn.
+    /// Method of drawing labels.
     pub sampler: Sampler,
-    /// How the temperature falls.
+    /// Cooling curve.
     pub schedule: Cooling,
     /// Temperature of the first sweep, more than 0; `None`: twice the energy's spread, which is the standard deviation
     /// of `ΔE` over random changes of random labels.
     pub initial_temperature: Option<f64>,
-    /// Temperature of the last sweep, at most the initial one; `None`: a two-hundredth of that. For the logarithmic
-    /// schedule only a floor.
+    /// Temperature of the last sweep, at most the initial one; `None`: a two-hundredth of the initial one. Only a floor
+    /// for the logarithmic schedule.
     pub final_temperature: Option<f64>,
     /// Number of consecutive sweeps without a changed label after which a run ends as frozen.
     pub patience: u32,
@@ -56,8 +55,8 @@ pub struct SimulatedAnnealing<'a> {
 }
 
 impl<'a> SimulatedAnnealing<'a> {
-    /// Annealing of `model`, which has a label at least. Allocates everything that a sweep needs.
-    /// Cost `O(n_variables · n_labels)`.
+    /// Annealing of `model`, which has at least one label. Allocates the memory of a sweep. Cost `O(n_variables ·
+    /// n_labels)`.
     pub fn new(model: &'a MrfModel, options: AnnealingOptions) -> Self {
         let gibbs = options.sampler == Sampler::Gibbs;
         let sweeps = Sweeps::new(&model.variables, model.n_labels(), gibbs);

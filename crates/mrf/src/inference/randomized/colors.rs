@@ -1,7 +1,8 @@
-//! Variables in classes without neighbours among each other, which can change at the same time.
+//! Classes of variables without neighbors among each other, which can change at the same time.
 //!
-//! Source: chromatic Gibbs sampling, Gonzalez, Low, Gretton, Guestrin, AISTATS 2011. Within a class every variable
-//! sees only variables of other classes, so changing all of a class at once is the same as one after the other.
+//! Source: chromatic Gibbs sampling, Gonzalez, Low, Gretton, Guestrin, AISTATS 2011. Every variable of a class sees
+//! only variables of other classes, so changing a whole class at once equals changing its variables one after the
+//! other.
 
 use homolog_primitives::graph::EdgeGraph;
 
@@ -9,7 +10,7 @@ use homolog_primitives::graph::EdgeGraph;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ColorClasses {
     pub order: Vec<u32>,
-    /// Where each class begins in `order`, and its end.
+    /// Start of each class in `order`, followed by the end of the last.
     pub starts: Vec<usize>,
 }
 
@@ -19,7 +20,7 @@ impl ColorClasses {
     pub(super) fn new(graph: &EdgeGraph) -> Self {
         let n = graph.n_vertices();
         let mut colors: Vec<usize> = Vec::with_capacity(n);
-        // `taken[c] == i` says that a neighbour of `i` has color `c`.
+        // `taken[c] == i` says that a neighbor of `i` has color `c`.
         let mut taken: Vec<usize> = Vec::new();
         for i in 0..n {
             for &j in graph.neighbors(i) {
@@ -58,7 +59,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn classes_hold_every_variable_once_and_no_two_neighbours(
+        fn classes_hold_every_variable_once_and_no_two_neighbors(
             n in 1usize..40,
             pairs in prop::collection::btree_set((0u32..40, 0u32..40), 0..120),
         ) {

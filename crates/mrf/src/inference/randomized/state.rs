@@ -1,4 +1,4 @@
-//! A labeling that changes one label at a time, its running energy, and the best labeling it has ever been.
+//! A labeling that changes one label at a time, its running energy, and the best labeling so far.
 
 use super::energy::{SearchEnergy, Terms};
 
@@ -12,23 +12,24 @@ pub(super) struct SiteMove {
 
 /// The present labeling and the best one.
 ///
-/// A new best labeling is not copied at once, which would cost `O(n)` for each of many: changes since are written into
-/// a journal, and [`SearchState::settle`] takes them back once a sweep. The best is thus the best after any single
-/// change, at `O(1)` a change.
+/// A new best labeling is not copied at once, which would cost `O(n)` each time. Later changes are written into a
+/// journal instead, and [`SearchState::settle`] reverts them once per sweep. The best is thus the best after any single
+/// change, at `O(1)` per change.
 pub(super) struct SearchState {
     labels: Vec<u32>,
     terms: Terms,
     best_labels: Vec<u32>,
     best_terms: Terms,
-    /// Whether the best labeling is `labels` with the journal taken back, instead of `best_labels`.
+    /// Whether the best labeling is `labels` with the journal reverted, instead of `best_labels`.
     best_in_journal: bool,
-    /// Changes since the best labeling: variable and the label it had.
+    /// Changes since the best labeling: variable and previous label.
     journal: Vec<(u32, u32)>,
     target: Option<f64>,
 }
 
 impl SearchState {
-    /// From `labels`, which count as the best so far. `target` is the energy (of the model, without bias) to watch for.
+    /// Starts from `labels`, which count as the best so far. `target` is the energy (of the model, without bias) to
+    /// watch for.
     pub(super) fn new(energy: &SearchEnergy<'_>, labels: Vec<u32>, target: Option<f64>) -> Self {
         let terms = energy.all(&labels);
         SearchState {
@@ -47,7 +48,7 @@ impl SearchState {
         &self.labels
     }
 
-    /// The present energy, as the sum of all changes.
+    /// The present energy, accumulated over all changes.
     pub(super) fn terms(&self) -> &Terms {
         &self.terms
     }
@@ -73,7 +74,7 @@ impl SearchState {
         self.note_best();
     }
 
-    /// Goes on from other labels; the best stays.
+    /// Continues from other labels; the best labeling is kept.
     pub(super) fn restart(&mut self, energy: &SearchEnergy<'_>, labels: Vec<u32>) {
         self.settle();
         self.terms = energy.all(&labels);
@@ -101,11 +102,11 @@ impl SearchState {
         }
     }
 
-    /// Whether the present labeling reaches the target, judged by a full evaluation of the model's own energy. Costs
-    /// nothing while the running energy says no.
+    /// Whether the present labeling reaches the target, by a full evaluation of the model's own energy. Free of cost
+    /// while the running energy is clearly above the target.
     pub(super) fn reaches_target(&self, energy: &SearchEnergy<'_>) -> bool {
         let Some(target) = self.target else { return false };
-        // The running energy carries the rounding of many sums; it only decides whether a look is worth it.
+        // The running energy carries the rounding of many sums; it only decides whether to evaluate in full.
         let slack = 1e-9 * (1.0 + target.abs());
         self.terms.energy().total() <= target + slack && energy.model.energy(&self.labels).total() <= target
     }

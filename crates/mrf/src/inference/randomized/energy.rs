@@ -1,4 +1,4 @@
-//! The energy as the randomised minimisers see it: in parts of one variable, with a bias, and always finite.
+//! The energy as used by the randomized minimizers: in terms of one variable, with a bias, and always finite.
 
 use super::draws::{Draws, Purpose};
 use crate::{Energy, MrfModel, PairwisePotential};
@@ -9,19 +9,19 @@ use rayon::prelude::*;
 pub(super) struct Terms {
     /// Unary potentials of the model.
     pub unary: f64,
-    /// What the bias adds to them.
+    /// Bias on the unary potentials.
     pub bias: f64,
     /// Pairwise potentials.
     pub pairwise: f64,
 }
 
 impl Terms {
-    /// What is minimised: all parts together.
+    /// The minimized quantity: all parts together.
     pub(super) fn total(&self) -> f64 {
         self.unary + self.bias + self.pairwise
     }
 
-    /// What is reported: the energy of the model, without the bias.
+    /// The reported quantity: the energy of the model, without the bias.
     pub(super) fn energy(&self) -> Energy {
         Energy { unary: self.unary, pairwise: self.pairwise }
     }
@@ -45,17 +45,17 @@ impl Terms {
 
 /// A model with a bias on its unary potentials and a finite truncation.
 ///
-/// **Hard constraints.** With `T = ∞` differences of energies would be `∞ − ∞`. A finite stand-in takes the place of
-/// `T`: one more than what all unary and unbroken pairwise potentials of a variable can ever differ by, so that any
-/// change of one label which leaves fewer broken edges lowers the energy. Infinite values that a bias writes are
+/// **Hard constraints.** With `T = ∞` differences of energies would be `∞ − ∞`, so a finite stand-in replaces `T`. It
+/// exceeds by one the largest possible difference of all unary and unbroken pairwise potentials of a variable, so that
+/// any change of one label that leaves fewer broken edges lowers the energy. Infinite values written by a bias are
 /// replaced in the same way.
 pub(super) struct SearchEnergy<'a> {
     pub model: &'a MrfModel,
-    /// The model's, with the stand-in for an infinite truncation.
+    /// The potential of the model, with the stand-in for an infinite truncation.
     pub pairwise: PairwisePotential,
-    /// Unary potentials with their bias; `None` where there is none.
+    /// Unary potentials including a bias; `None` without a bias.
     biased: Option<Vec<f32>>,
-    /// Least value of every row of unary potentials, bias included.
+    /// Minimum of every row of unary potentials, bias included.
     row_minima: Vec<f32>,
 }
 
@@ -67,7 +67,8 @@ impl<'a> SearchEnergy<'a> {
         this
     }
 
-    /// Sets the unary potentials to those of the model plus what `add(i, row)` adds to the row of variable `i`.
+    /// Sets the unary potentials to those of the model plus the values that `add(i, row)` adds to the row of variable
+    /// `i`.
     pub(super) fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         let model = self.model;
         let mut table = self.biased.take().unwrap_or_else(|| vec![0.0; model.unary.len()]);
@@ -79,7 +80,7 @@ impl<'a> SearchEnergy<'a> {
         self.refresh();
     }
 
-    /// Everything that depends on the unary potentials: stand-ins and minima.
+    /// Updates everything that depends on the unary potentials: stand-ins and minima.
     fn refresh(&mut self) {
         let model = self.model;
         let n = model.n_labels().max(1);
@@ -103,7 +104,7 @@ impl<'a> SearchEnergy<'a> {
         self.biased.as_ref().map_or_else(|| self.model.unary_row(i), |table| &table[i * n..(i + 1) * n])
     }
 
-    /// Least of them.
+    /// Minimum of the unary potentials of variable `i`, bias included.
     pub(super) fn row_minimum(&self, i: usize) -> f32 {
         self.row_minima[i]
     }
@@ -130,8 +131,7 @@ impl<'a> SearchEnergy<'a> {
         Terms { unary, bias, pairwise: 0.0 }
     }
 
-    /// All terms that variable `i` takes part in if it had label `x`, the other labels as they are.
-    /// Cost `O(degree · log k̄)`.
+    /// All terms of variable `i` if it had label `x`, with the other labels unchanged. Cost `O(degree · log k̄)`.
     pub(super) fn site(&self, i: usize, x: u32, labels: &[u32]) -> Terms {
         let mut terms = self.unary(i, x);
         for edge in self.model.variables.row(i) {
@@ -170,7 +170,7 @@ fn finite_range(row: &[f32]) -> f64 {
     if low <= high { f64::from(high) - f64::from(low) } else { 0.0 }
 }
 
-/// Replaces infinite values of a row by `above` more than its largest finite one.
+/// Replaces infinite values of a row by its largest finite value plus `above`.
 fn forbid(row: &mut [f32], above: f64) {
     if row.iter().all(|v| v.is_finite()) {
         return;
@@ -180,7 +180,7 @@ fn forbid(row: &mut [f32], above: f64) {
     row.iter_mut().filter(|v| !v.is_finite()).for_each(|v| *v = value);
 }
 
-/// A bound of the pairwise potentials within the neighbourhood, before truncation.
+/// A bound of the pairwise potentials within the neighborhood, before truncation.
 fn largest_unbroken(model: &MrfModel) -> f64 {
     let length = model.lengths.iter().copied().fold(0.0, f32::max);
     let distance = (0..model.n_labels()).flat_map(|x| model.labels.distances(x)).copied().fold(0.0, f32::max);

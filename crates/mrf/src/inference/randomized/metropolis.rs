@@ -1,12 +1,12 @@
-//! Random local moves at one variable: a label is proposed and taken or not.
+//! Random local moves at one variable: a label is proposed, then accepted or rejected.
 //!
 //! Source: Metropolis and others, J. Chem. Phys. 21, 1953; Hastings, Biometrika 57, 1970.
 //!
-//! With a truncated pairwise potential a label drawn at random almost never agrees with any neighbour. The proposal
-//! is therefore a mixture: any label, a label near the present one, or a label near that of a neighbouring variable
-//! (the neighbour drawn at random). Near means within `N_r`. Proposals are not symmetric, since neighbourhoods have
-//! different sizes and the third kind depends on the neighbours; the acceptance is corrected by the Hastings ratio of
-//! the whole mixture, so that the chain keeps `p(x) ∝ exp(−E(x)/T)` exactly.
+//! With a truncated pairwise potential a label drawn at random almost never agrees with any neighbor. The proposal is
+//! therefore a mixture: any label, a label near the present one, or a label near the label of a random neighboring
+//! variable. Near means within `N_r`. Proposals are asymmetric, since neighborhoods have different sizes and the third
+//! kind depends on the neighbors. The acceptance is corrected by the Hastings ratio of the whole mixture, so that the
+//! chain keeps `p(x) ∝ exp(−E(x)/T)` exactly.
 
 use super::draws::Draws;
 use super::energy::SearchEnergy;
@@ -19,10 +19,10 @@ struct Mixture {
     near_neighbor: f64,
 }
 
-/// Any label is proposed now and then, so that every labeling can be reached; most proposals follow the neighbours,
-/// since only those mend a broken edge.
+/// Shares for a variable with neighbors. Occasional proposals of any label make every labeling reachable; most
+/// proposals follow the neighbors, since only those mend a broken edge.
 const MIXTURE: Mixture = Mixture { any: 0.1, near_own: 0.3, near_neighbor: 0.6 };
-/// For a variable without neighbours.
+/// Shares for a variable without neighbors.
 const MIXTURE_ALONE: Mixture = Mixture { any: 0.7, near_own: 0.3, near_neighbor: 0.0 };
 
 fn mixture(degree: usize) -> Mixture {
@@ -50,7 +50,7 @@ pub(super) fn metropolis_step(
     accepted.then_some(change)
 }
 
-/// One step of descent: the proposal is taken if it lowers the energy.
+/// One step of descent: accepts the proposal if it lowers the energy.
 pub(super) fn descent_step(energy: &SearchEnergy<'_>, labels: &[u32], i: usize, draws: &mut Draws) -> Option<SiteMove> {
     propose(energy, labels, i, draws).map(|p| p.change).filter(|change| change.delta.total() < 0.0)
 }
@@ -76,7 +76,7 @@ fn propose(energy: &SearchEnergy<'_>, labels: &[u32], i: usize, draws: &mut Draw
         return None;
     }
     let mut delta = energy.unary(i, new).minus(&energy.unary(i, old));
-    // Chances of the third kind, there and back.
+    // Probabilities of the third kind, in both directions.
     let (mut forward, mut backward) = (0.0, 0.0);
     for edge in model.variables.row(i) {
         let y = labels[model.variables.head(edge)];

@@ -95,9 +95,13 @@ fn the_ledger_has_the_values_of_the_code() {
     assert!(wrong.is_empty(), "{wrong:#?}");
     // Every threshold of the route and of the verdict is there.
     let settings = fs::read_to_string(root().join("crates/matching/src/field/settings.rs")).unwrap();
-    let route = settings.split_once("RouteSettings {\n            ").unwrap().1.split_once('}').unwrap().0;
-    for line in route.lines().filter_map(|line| line.trim().split_once(": ")) {
-        assert!(names.iter().any(|(_, name)| name == line.0), "{} is not in the ledger", line.0);
+    let defaults = settings.split_once("impl Default for RouteSettings {").unwrap().1;
+    let defaults = defaults.split_once("        RouteSettings {").unwrap().1.split_once('}').unwrap().0;
+    let members: Vec<&str> =
+        defaults.split(',').filter_map(|member| member.trim().split_once(": ")).map(|m| m.0).collect();
+    assert!(members.contains(&"two_subjects"), "{members:?}");
+    for member in members {
+        assert!(names.iter().any(|(_, name)| name == member), "{member} is not in the ledger");
     }
     let verdict = fs::read_to_string(root().join("crates/matching/src/answer/reliability.rs")).unwrap();
     for name in verdict.lines().filter_map(|line| line.strip_prefix("const ")?.split_once(": f64")).map(|found| found.0)

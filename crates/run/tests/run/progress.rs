@@ -49,8 +49,8 @@ fn deviation(pair: &[Vec<u8>]) -> f64 {
 }
 
 /// How far the progress may be from the share of the time. Processors differ in how long the stages of a match take relative to each other:
-/// with one curve of progress the difference was 0.04 on one machine and 0.10 on another.
-const TOLERANCE: f64 = 0.15;
+/// with one curve of progress the difference was 0.02 on one machine and 0.10 on another for one pair, and pairs differ by up to 0.1.
+const TOLERANCE: f64 = 0.25;
 
 /// By this name they are left out where the data are absent.
 mod real_data {

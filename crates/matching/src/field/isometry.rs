@@ -14,9 +14,10 @@ use super::fine_misfit::fine_misfit;
 use super::fitted::Refined;
 use super::functions::Functions;
 use super::refine::refined;
-use super::rivals::{Evidence, Unexplained, unexplained};
+use super::rivals::{Unexplained, is_distinct, unexplained};
 use super::settings::IsometryFitSettings;
 use super::unbending::Unbending;
+use crate::energy::inference::InferenceSettings;
 use crate::energy::lead::{DISTINCT, Groups};
 use crate::energy::minimize::NearIsometry;
 use crate::energy::model::{Isometry, Measured};
@@ -208,6 +209,7 @@ pub(crate) struct BestBent {
 
 /// Where a near isometry ended after all stages.
 struct End {
+    start: NearIsometry,
     refined: Refined,
     /// Where the vertices of the source are moved, mm.
     moved: Vec<Point3<f64>>,
@@ -217,20 +219,18 @@ struct End {
 }
 
 impl End {
-    fn of(over_form: &OverForm<'_>, refined: Refined) -> End {
+    fn of(over_form: &OverForm<'_>, start: NearIsometry, refined: Refined) -> End {
         let moved = over_form.moved(&refined);
         let misfit = fine_misfit(&over_form.displacement, moved.clone(), false);
         let unexplained = unexplained(&over_form.displacement, &moved, false);
-        End { refined, moved, misfit, unexplained }
+        End { start, refined, moved, misfit, unexplained }
     }
 
-    /// Whether `other` explains the surfaces as well, and with other corresponding points.
-    fn has_rival(&self, other: &End, same_mm: f64) -> bool {
-        let is_as_good = match (&self.unexplained, &other.unexplained) {
-            (Some(own), Some(other)) => own.evidence(other) != Evidence::First,
-            _ => false,
-        };
-        is_as_good && mean_distance(&self.moved, &other.moved) > same_mm
+    /// Whether `other` explains the surfaces as well, with corresponding points that are farther off than `same_mm` on average.
+    fn has_rival(&self, other: &End, groups: &Groups, same_mm: f64) -> bool {
+        let (Some(own), Some(others)) = (&self.unexplained, &other.unexplained) else { return false };
+        let lead = groups.lead(&self.start.shares, &other.start.shares);
+        !is_distinct(others.excess_over(own), lead) && mean_distance(&self.moved, &other.moved) > same_mm
     }
 }
 
@@ -248,16 +248,16 @@ pub(crate) fn best_of_lowest(
     let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
     let mut ends: Vec<Option<End>> = Vec::new();
     for bent in starts.into_iter().take(settings.refined) {
-        let followed = !low.is_clearly_above_lowest(&bent.start);
-        let refined = if followed { refined(displacement, bent.state)? } else { None };
-        ends.push(refined.map(|refined| End::of(over_form, refined)));
+        let BentStart { start, state, .. } = bent;
+        let refined = if low.is_clearly_above_lowest(&start) { None } else { refined(displacement, state)? };
+        ends.push(refined.map(|refined| End::of(over_form, start, refined)));
     }
     let misfits = ends.iter().enumerate().filter_map(|(k, end)| Some((k, end.as_ref()?.misfit)));
     let Some((chosen, _)) = misfits.min_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(None) };
     let Some(best) = ends[chosen].take() else { return Ok(None) };
-    let same_mm = settings.same * displacement.lengths.root_mm;
+    let same_mm = InferenceSettings::default().inlier * displacement.lengths.root_mm;
     for (start, end) in compared.iter_mut().zip(&ends) {
-        if end.as_ref().is_some_and(|end| best.has_rival(end, same_mm)) {
+        if end.as_ref().is_some_and(|end| best.has_rival(end, &low.groups, same_mm)) {
             start.finer = Finer::AsGood;
         }
     }

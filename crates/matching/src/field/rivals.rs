@@ -28,6 +28,10 @@ const PATCHES: usize = 64;
 /// Standard errors of the mean difference from which one of two starts is better: by chance one of two thousand differs as far.
 const DISTINCT: f64 = 3.5;
 
+/// Standard errors from which a bent answer is preferred to a rigid start's: the usual two, as a wrong choice between answers that explain the
+/// surfaces nearly as well costs little.
+pub(crate) const PREFERRED: f64 = 2.0;
+
 /// The same after the coarse stage, beyond which a start is ruled out: a finer stage changes less.
 const RULED_OUT: f64 = 8.0;
 
@@ -70,6 +74,12 @@ impl Unexplained {
             Evidence::Equal
         }
     }
+}
+
+/// Whether the first of two correspondences explains more than the second one, which leaves more unexplained by `excess` standard errors and
+/// whose labels cost more by `lead`: the two measures count alike, as two independent numbers of variance 1.
+pub(crate) fn is_distinct(excess: f64, lead: f64) -> bool {
+    (excess + lead) / std::f64::consts::SQRT_2 > DISTINCT
 }
 
 /// A start with its field after the first stage.

@@ -44,7 +44,7 @@ use super::isometry::{OverForm, bent_starts, best_of_lowest, low_energies, repea
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, reverse_fit};
-use super::rivals::{self, Chosen, unexplained};
+use super::rivals::{Chosen, PREFERRED, unexplained};
 use super::settings::RouteSettings;
 use super::straightened::bent_back;
 use super::trace::FitTrace;
@@ -402,7 +402,7 @@ fn by_isometry(
     let best = repeated(&over_form, best)?;
     let of_bent_end = unexplained(forward, &best.refined.moved(&forward.source.mesh), false);
     let explains_more = match (of_rigid_end, of_bent_end) {
-        (Some(rigid), Some(bent)) => rigid.evidence(&bent) == rivals::Evidence::Second,
+        (Some(rigid), Some(bent)) => rigid.excess_over(&bent) > PREFERRED,
         _ => false,
     };
     if !explains_more {

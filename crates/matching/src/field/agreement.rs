@@ -8,32 +8,33 @@ use homolog_mesh::ClosestPoint;
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Agreement of corresponding points. Copies of one anatomy reach 0.95 and more in both.
+/// Agreement of corresponding points. For copies of one anatomy both values are at least 0.95.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Agreement {
     /// Correlation of the mean curvatures at the largest scale, in `[−1, 1]`.
     pub curvature: f64,
-    /// Mean cosine between the normals over the area of the source, however densely a part of it is sampled.
+    /// Mean cosine between corresponding normals, weighted by area of the source.
     pub normals: f64,
 }
 
 impl Agreement {
-    /// Whether the surfaces may agree better from another start.
+    /// Whether another start may give a better agreement.
     pub(crate) fn is_doubtful(&self, settings: &RouteSettings) -> bool {
         self.curvature < settings.doubtful_curvature || self.normals < settings.doubtful_normals
     }
 }
 
-/// The agreement of the source, whose vertices are moved to `moved`, with the closest points of the target, without those on its rim.
+/// Agreement of the source, its vertices at `moved`, with the closest points of the target. Points closest to the rim
+/// of the target are left out.
 ///
 /// Cost `O(n log n')`; sums in order of the vertices.
 pub(crate) fn agreement(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Agreement {
     let closest = displacement.target.closest();
     let found: Vec<_> = moved.par_iter().map(|p| closest.index.closest(p)).collect();
-    // What lies beyond the rim of the target has no counterpart there.
+    // A vertex beyond the rim of the target has no counterpart.
     let inside = |(_, at): &(usize, &ClosestPoint)| !closest.is_at_rim(at);
     let corresponding = || found.iter().enumerate().filter(inside);
-    // Of the features at the largest scale the first is mean curvature.
+    // The first of the two features at the largest scale is mean curvature.
     let feature = |side: &SmoothSurface, i: usize| side.features[(i + 1) * N_FEATURES - 2];
     let pairs: Vec<(f64, f64)> = corresponding()
         .map(|(i, at)| (feature(&displacement.source, i), at.blend(|k| feature(&displacement.target, k))))

@@ -1,12 +1,13 @@
-//! The error along the surface of answers that no rigid pose leads to.
+//! Error along the surface of answers that do not begin at a rigid pose.
 //!
-//! The posterior covariance of a field is that of its fit to a surface that lies close. From bending-invariant forms, and between
-//! straightened tubes, a field also starts a little beside the truth, along the surface: forms distort what stretches, their
-//! correspondences are those of a few hundred places, and a center line is known imprecisely. The pair itself shows how far. A map
-//! that is off by `e` along the surface makes the curvatures of corresponding points differ: their correlation `c` falls by `e²`
-//! over the squared distance within which curvature varies. It also strains the surface, by `e` over the distance within which the
-//! error varies. Each of `1 − c` and the squared strain `ε²` has a share that is no error: sampling and bending change curvature, and bent
-//! surfaces do stretch. Their geometric mean has less of either, and both distances are taken to be the same part of every surface.
+//! A fit that begins at bending-invariant forms or at straightened tubes is biased along the surface: stretching
+//! distorts forms, forms give correspondences of a few hundred sites only, and center lines are imprecise. The
+//! posterior covariance of the field does not contain this bias, so it is estimated from the pair. An error `e` along
+//! the surface lowers the correlation `c` of the curvatures of corresponding points by `e²` over the squared distance
+//! within which curvature varies, and strains the surface by `e` over the distance within which the error varies.
+//! Sampling and bending also change curvature, and bent surfaces stretch, so `1 − c` and the squared strain `ε²` each
+//! overestimate the error. Their geometric mean is less affected. Both distances are assumed to be a constant share of
+//! the root of the area.
 
 use super::agreement::Agreement;
 use super::strain::squared_strain;
@@ -14,13 +15,12 @@ use crate::pair::lengths::{Lengths, sampling_variance};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 
-/// Squared error over the area of the surface and the geometric mean of `1 − c` and `ε²`. Fitted to the calibration of
-/// confidences on each of six families of synthetic shapes by itself, its root is 0.053 to 0.055 (capsules bent by 90°, 120°
-/// and 150°), 0.047 (animals in two poses), 0.048 (bodies of unlike build) and 0.057 (people in two poses): rounded.
+/// Squared error over the product of the area of the surface and the geometric mean of `1 − c` and `ε²`. Without unit;
+/// fitted.
 const SHARE_OF_AREA: f64 = 0.0028;
 
-/// Squared error along the surface, mm², of an answer that moves the vertices of `source` to `moved`, where the surfaces agree
-/// so far. The error of the field and of sampling is part of it.
+/// Squared error along the surface, mm², of an answer that moves the vertices of `source` to `moved`, for surfaces of
+/// this `agreement`. It includes the errors of the field and of sampling.
 ///
 /// Cost `O(n)`.
 pub(crate) fn squared_error(
@@ -33,7 +33,7 @@ pub(crate) fn squared_error(
     SHARE_OF_AREA * lengths.root_mm * lengths.root_mm * (unlike * squared_strain(source, moved)).sqrt()
 }
 
-/// Raises variances of a field, mm², so that with that of sampling no image is expected to be nearer to the truth than
+/// Raises the `variances` of a field, mm², so that each, together with the variance of sampling, is at least
 /// `squared_error`, mm².
 pub(crate) fn raise(variances: &mut [f64], squared_error: f64, lengths: &Lengths) {
     let least = squared_error - sampling_variance(lengths.sampling_mm);
@@ -50,7 +50,7 @@ mod tests {
         Agreement { curvature, normals: 1.0 }
     }
 
-    /// An ellipsoid, and its vertices slid along it: about the x axis by an angle that varies along x.
+    /// An ellipsoid, and its vertices slid along its surface: rotated about the x axis by an angle that varies along x.
     fn slid(size: f64, angle: f64) -> (SurfaceMesh, Vec<Point3<f64>>, Lengths) {
         let mesh = ellipsoid(Vector3::new(9.0, 5.0, 5.0) * size, 4);
         let turn = |p: &Point3<f64>| {
@@ -70,10 +70,10 @@ mod tests {
         };
         let plain = error(1.0, 0.1, 0.96);
         assert!((error(8.0, 0.1, 0.96) / plain - 8.0).abs() < 1e-9);
-        // A root of each of both: twice the strain, or four times the loss of correlation.
+        // The error is the square root of either: of twice the strain, or of four times the loss of correlation.
         assert!((error(1.0, 0.2, 0.96) / plain - 2f64.sqrt()).abs() < 0.02);
         assert!((error(1.0, 0.1, 0.84) / plain - 2f64.sqrt()).abs() < 1e-9);
-        // By either sign alone there is none.
+        // Strain alone, or a loss of correlation alone, gives no error.
         assert!(error(1.0, 0.0, 0.96) < 0.01 * plain && error(1.0, 0.1, 1.0) == 0.0);
     }
 

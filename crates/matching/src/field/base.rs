@@ -1,11 +1,11 @@
-//! Where a surface is before a field moves it, and the field over it.
+//! The place of a surface before a field moves it, and a field over that place.
 
 use faer::Mat;
 use homolog_registration::RigidTransform;
 use homolog_registration::deformation::FittedField;
 use nalgebra::{Point3, Vector3};
 
-/// Where a surface is before the field moves it: after a rigid pose, or bent as well.
+/// The map of a surface before the field is added: a rigid pose, with or without bending.
 #[derive(Clone)]
 pub(crate) struct Base {
     pub pose: RigidTransform,
@@ -18,7 +18,7 @@ impl Base {
         Base { pose, bend: None }
     }
 
-    /// `points` of the source, at which the functions of the field have these `values` (more rows may follow).
+    /// Moves `points` of the source, at which the functions of the field have these `values` (more rows may follow).
     pub(crate) fn moved(&self, points: &[Point3<f64>], values: &Mat<f64>) -> Vec<Point3<f64>> {
         let posed = points.iter().map(|p| self.pose.apply(p));
         match &self.bend {
@@ -40,7 +40,7 @@ impl Base {
     }
 }
 
-/// A field over its base, and the precisions of the features that were estimated with it.
+/// A field over its base, and the feature precisions that were estimated with it.
 #[derive(Clone)]
 pub(crate) struct State {
     pub base: Base,

@@ -1,13 +1,12 @@
-//! One map from two fits: of the source to the target, and of the target to the source.
+//! One map from two fits: source to target, and target to source.
 //!
-//! The prior pulls a field towards no displacement, and along a surface little else determines it. So each direction is
-//! biased towards its start: for ten pairs of subjects the forward map and the inverse of the backward map differed by 0.6
-//! to 1.8 mm (root mean square), more than half of that along the long axis, and half of the vertices returned to within
-//! one edge of their place. The mean of one fit and the inverse of the other is, up to second order, the same map in
-//! either direction as long as both start from one pose: with it three quarters returned.
+//! The prior pulls a field towards zero displacement, and little else determines its component along the surface. So
+//! each fit is biased towards its start, and the forward map and the inverse of the backward map differ. The mean of
+//! one fit and the inverse of the other is, to second order, the same map in both directions if both fits start from
+//! one pose.
 //!
-//! Source: Christensen, Johnson, "Consistent image registration", IEEE TMI 20(7), 2001 (both directions, each close to
-//! the inverse of the other); here the two are joined once, after each was fitted by itself.
+//! Source: Christensen, Johnson, "Consistent image registration", IEEE TMI 20(7), 2001. They constrain the two fits to
+//! be inverse to each other during optimization; here two independent fits are averaged once.
 
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
@@ -23,8 +22,8 @@ pub(crate) struct WayBack<'a> {
 }
 
 impl<'a> WayBack<'a> {
-    /// `returned`: the vertices of `target` moved onto the source, mm. `None` for numbers that are not finite.
-    /// Cost `O(n' log n')`.
+    /// `returned` are the vertices of `target` moved onto the source, mm. `None` if a coordinate is not finite. Cost
+    /// `O(n' log n')`.
     pub(crate) fn new(
         target: &'a SurfaceMesh,
         closest: &'a ClosestPointIndex,
@@ -34,8 +33,8 @@ impl<'a> WayBack<'a> {
         Some(WayBack { target, closest, returned })
     }
 
-    /// `moved`, the images of `points` of the source, each shifted halfway towards the place on the target that the backward
-    /// map takes to the point. Its distance from the target stays. Cost `O(n log n')`.
+    /// Shifts each of `moved`, the images of `points` of the source, halfway along the target towards the place that
+    /// the backward map takes to the point. The distance from the target is kept. Cost `O(n log n')`.
     pub(crate) fn met(&self, points: &[Point3<f64>], moved: &[Point3<f64>]) -> Vec<Point3<f64>> {
         let vertices = self.target.vertices();
         points

@@ -1,4 +1,4 @@
-//! The choice of the rigid pose: those of a search are compared after the first stage of their displacements.
+//! Choice of the rigid pose: candidate poses are compared after the coarse stage of their displacements.
 
 use super::base::{Base, State};
 use super::coarse::{coarse_from, screening};
@@ -12,16 +12,16 @@ use homolog_primitives::observe::checkpoint;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use rayon::prelude::*;
 
-/// A pose that was followed through the first stage.
+/// A pose after the coarse stage.
 struct Followed {
     index: usize,
     pose: StartPose,
     misfit: f64,
     /// Whether it may be the answer.
     may_answer: bool,
-    /// The rigid part of where it ended, if places tell poses apart.
+    /// The rigid part of the displaced surface, if poses are also told apart by place.
     end: Option<RigidTransform>,
-    /// Whether a better one ended where it did.
+    /// Whether a pose of lower misfit ended at the same pose.
     is_reached: bool,
 }
 
@@ -44,7 +44,7 @@ impl Followed {
     }
 }
 
-/// The best of the `poses` that may be kept. `None` where there is none, or where a number is not finite.
+/// The best of `poses` that may be kept. `None` if there is none, or if a number is not finite.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -57,7 +57,7 @@ pub(crate) fn chosen(
     let n = displacement.options.n_samples[0];
     let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
     let values = displacement.guides.below(displacement.functions.values(&source.points));
-    // Each pose alone, so that all cores have work where a step is too short to share.
+    // One task per pose: a single step is too short to share between cores.
     let found: Vec<Option<(f64, State)>> = followed
         .par_iter()
         .map(|&pose| {
@@ -83,7 +83,7 @@ pub(crate) fn chosen(
     compared.sort_by(|(a, _), (b, _)| {
         (!a.may_answer).cmp(&!b.may_answer).then(a.misfit.total_cmp(&b.misfit)).then(a.index.cmp(&b.index))
     });
-    // A start and its rotation are one pose, of which the better is kept.
+    // A start and its rotations count as one pose; the best is kept.
     let (mut kept, mut states): (Vec<Followed>, Vec<State>) = (Vec::new(), Vec::new());
     for (start, state) in compared {
         if !kept.iter().any(|better| better.is_rotation_of(&start) || start.is_rotation_of(better)) {
@@ -111,8 +111,8 @@ pub(crate) fn chosen(
     decided(displacement, candidates)
 }
 
-/// The poses to follow, after a few steps on few vertices from each: the best of each handedness, and of a rotation the pose that
-/// was rotated.
+/// Indices of the poses to follow, by misfit after a few steps on few vertices: the best of each handedness, and for a
+/// rotation also the pose that was rotated.
 fn screened(displacement: &Displacement<'_>, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
     let misfit = screening(displacement);
     let screened: Vec<Option<(f64, usize)>> = poses
@@ -128,14 +128,14 @@ fn screened(displacement: &Displacement<'_>, poses: &[StartPose]) -> Result<Opti
     let mut followed: Vec<usize> = Vec::new();
     for (_, k) in screened {
         let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
-        // Rotations of one pose are that pose, of which the best is kept later: they leave room for another one.
+        // Rotations of one pose take one place of the list together; the best of them is chosen later.
         let rotated = |index: usize| poses[index].rotation_of.unwrap_or(index);
         let near = |&&other: &&usize| {
             rotated(other) == rotated(k)
                 || displacement.are_same(&poses[other].pose, &poses[k].pose, displacement.options.choice.same_pose_rad)
         };
         let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
-        // Places in one orientation leave room for another orientation.
+        // Poses of one orientation at different places do not take the place of another orientation.
         let has_orientation_of = |other: usize| {
             move |&&a: &&usize| {
                 SamePose::of_orientation().holds(
@@ -153,7 +153,8 @@ fn screened(displacement: &Displacement<'_>, poses: &[StartPose]) -> Result<Opti
             followed.push(k);
         }
     }
-    // Few vertices do not show whether a rotation about that axis is better than none, so the pose itself is followed too.
+    // Few vertices do not show whether a rotation about the axis lowers the misfit, so the pose that was rotated is
+    // followed as well.
     for k in followed.clone() {
         let own = poses[k].rotation_of;
         followed.extend(own.filter(|own| !followed.contains(own)));

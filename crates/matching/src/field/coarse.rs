@@ -1,4 +1,4 @@
-//! The first stage of a displacement: the field over a base, on thinned surfaces.
+//! The coarse stage of a displacement: a field over a base, on thinned surfaces.
 
 use super::base::{Base, State};
 use super::displacement::Displacement;
@@ -11,7 +11,7 @@ use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed
 use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
 
-/// The field from one pose alone, which an earlier fit has found.
+/// The field after the coarse stage from a single pose that an earlier fit has found.
 pub(crate) fn coarse_alone(displacement: &Displacement<'_>, pose: &RigidTransform) -> Option<State> {
     let n = displacement.options.n_samples[0];
     let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
@@ -27,19 +27,20 @@ pub(crate) fn coarse_alone(displacement: &Displacement<'_>, pose: &RigidTransfor
     found.map(|(_, state)| state)
 }
 
-/// The misfit after a few steps on few vertices from a pose; `None` where a number is not finite.
+/// Returns a function that gives the misfit of a pose after a few steps on few vertices; `None` if a number is not
+/// finite.
 pub(crate) fn screening(displacement: &Displacement<'_>) -> impl Fn(&RigidTransform) -> Option<f64> + Sync {
     let source = displacement.source.thinned(displacement.options.choice.screening_samples);
     let target = displacement.target.thinned(displacement.options.choice.screening_samples).packed();
     let values = displacement.guides.below(displacement.functions.values(&source.points));
     move |pose| {
-        // An order of the poses needs no field that has settled.
+        // Ranking the poses needs no converged field, so no step is repeated.
         let schedule = Schedule::new(displacement.options.choice.screening_steps, 0, displacement.lengths.root_mm);
         coarse_from(displacement, &Base::rigid(*pose), &source, &target, &values, schedule).map(|(misfit, _)| misfit)
     }
 }
 
-/// The misfit and the field over `base_of` after the steps of `schedule`.
+/// Misfit and field over `base_of` after the steps of `schedule`.
 pub(crate) fn coarse_from(
     displacement: &Displacement<'_>,
     base_of: &Base,
@@ -51,7 +52,8 @@ pub(crate) fn coarse_from(
     let base = base_of.moved(&source.points, values);
     let guided = displacement.guides.observations(base_of);
     let mut normals: Vec<Vector3<f64>> = source.normals.iter().map(|n| base_of.pose.rotation * n).collect();
-    // Of a bent base the normals are those of the whole deformed surface; the field over a rigid one hardly turns them.
+    // A rigid base keeps normals, and the field over it hardly rotates them. For a bent base normals are those of the
+    // whole deformed surface.
     let mut whole = None;
     if base_of.bend.is_some() {
         let values = displacement.functions.values(displacement.source.mesh.vertices());
@@ -79,14 +81,15 @@ pub(crate) fn coarse_from(
         precision = precision_of_features(&found.feature_variance);
         field = Some(fitted);
     }
-    // The same precisions for all poses: a wrong pose that has come to distrust features must not gain by that.
+    // All poses are compared with the same precisions: a wrong pose would otherwise lower its misfit by lowering the
+    // precision of features.
     let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
     let misfit = misfit(&samples, target, &comparison_kernel(last_sigma * displacement.diagonal_mm))
         + field.as_ref().map_or(0.0, |field| displacement.guides.misfit(base_of, field));
     field.map(|field| (misfit, State { base: base_of.clone(), field, feature_precision: precision }))
 }
 
-/// Normals, at `thinned`, of the surface with its vertices at `moved`. `None` where a number is not finite.
+/// Normals, at `thinned`, of the surface whose vertices are at `moved`. `None` if a number is not finite.
 fn normals_at(
     displacement: &Displacement<'_>,
     moved: Vec<Point3<f64>>,

@@ -1,4 +1,4 @@
-//! One surface deformed onto another.
+//! A surface deformed onto another.
 
 use super::agreement::Agreement;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
@@ -6,7 +6,7 @@ use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// One surface deformed onto another.
+/// A surface deformed onto another.
 pub(crate) struct Deformed {
     /// The vertices of the source, mm.
     pub moved: Vec<Point3<f64>>,
@@ -18,12 +18,13 @@ pub(crate) struct Deformed {
     pub residual_mm: f64,
     /// How well the surfaces agree after the deformation.
     pub agreement: Agreement,
-    /// How far the deformation is from one that keeps angles, [`super::strain::distortion`].
+    /// Mean angular distortion of the deformation, [`super::strain::distortion`].
     pub distortion: f64,
 }
 
 impl Deformed {
-    /// The vertices of `target` moved to `source`, the surface that was deformed. `None` where a number is not finite.
+    /// The inverse: the vertices of `target` moved to `source`, the surface that was deformed. `None` if a number is
+    /// not finite.
     ///
     /// Cost `O(n' log n)`.
     pub(crate) fn inverse(self, source: &SurfaceMesh, target: &SurfaceMesh) -> Option<Deformed> {
@@ -36,7 +37,7 @@ impl Deformed {
         let inverse = |q: &Point3<f64>| {
             let at = index.closest(q);
             if on_rim.as_ref().is_some_and(|ends| at.is_between(|k| ends[k])) {
-                // Beyond the rim there is nothing to stand on: as far from it as `q` is from the deformed one.
+                // A vertex beyond the rim keeps the offset that it has from the deformed surface, rotated back.
                 let image = at.blend(|k| source.vertices()[k].coords) + back.rotation * (q - at.point);
                 return (Point3::from(image), at.blend(|k| self.variances[k]));
             }

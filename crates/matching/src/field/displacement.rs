@@ -1,4 +1,4 @@
-//! What the stages of a displacement share.
+//! Surfaces, settings and functions that all stages of a displacement share.
 
 use super::functions::Functions;
 use super::guides::Guides;
@@ -12,7 +12,7 @@ use homolog_registration::alignment::annealed;
 use homolog_registration::{RigidTransform, SamePose};
 use std::sync::Arc;
 
-/// What all stages of a displacement share.
+/// Surfaces, settings and functions that all stages of a displacement share.
 pub(crate) struct Displacement<'a> {
     pub source: Arc<SmoothSurface>,
     pub target: Arc<SmoothSurface>,
@@ -20,19 +20,19 @@ pub(crate) struct Displacement<'a> {
     pub guides: Guides,
     pub diagonal_mm: f64,
     pub lengths: Lengths,
-    /// When two poses of a source that is a part are the same: it may fit at several places in one orientation.
+    /// When two poses count as one, if the source is a part: it may fit at several places in one orientation.
     pub same_place: Option<SamePose>,
     pub options: &'a DisplacementOptions,
     pub observer: &'a FitTrace<'a>,
 }
 
 impl Displacement<'_> {
-    /// Independent observations for a unit of area, at `progress` between two stages.
+    /// Independent observations per unit of area, at `progress` between two stages.
     pub(crate) fn density(&self, from: usize, to: usize, progress: f64) -> f64 {
         annealed(self.options.density[from], self.options.density[to], progress) / self.lengths.root_mm.powi(2)
     }
 
-    /// The schedule of a stage in so many steps.
+    /// The schedule of `stage` in `steps` steps.
     pub(crate) fn schedule(&self, stage: usize, steps: u32) -> Schedule {
         Schedule::of_stage(stage, steps, self.lengths.root_mm)
     }
@@ -42,7 +42,7 @@ impl Displacement<'_> {
         Alignment { source: &self.source, target: &self.target, edge_mm, observer: self.observer }
     }
 
-    /// Whether two poses of one handedness are the same within `angle`, radians.
+    /// Whether two poses of one handedness differ by less than `angle`, radians.
     pub(crate) fn are_same(&self, a: &RigidTransform, b: &RigidTransform, angle: f64) -> bool {
         self.same_place.unwrap_or_else(SamePose::of_orientation).holds(a, b, angle)
     }

@@ -1,4 +1,4 @@
-//! The stages after the pose is chosen: middle and fine.
+//! The middle and fine stages, after the choice of the pose.
 
 use super::base::State;
 use super::displacement::Displacement;
@@ -25,7 +25,7 @@ pub(crate) fn fine(displacement: &Displacement<'_>, start: State) -> Result<Opti
     )
 }
 
-/// [`fine`], left out of the energy trace: for fits side by side that are no answer.
+/// [`fine`], not recorded in the energy trace: for auxiliary fits.
 pub(crate) fn fine_aside(displacement: &Displacement<'_>, start: State) -> Result<Option<Fine>, MatchError> {
     fine_in(
         displacement,
@@ -36,7 +36,8 @@ pub(crate) fn fine_aside(displacement: &Displacement<'_>, start: State) -> Resul
     )
 }
 
-/// [`fine`] in so many steps of each, with this share of the assignment's weight across the normals.
+/// [`fine`] with the number of steps of each stage, and the share of the assignment's weight that is kept across the
+/// normals.
 pub(crate) fn fine_in(
     displacement: &Displacement<'_>,
     start: State,
@@ -55,8 +56,7 @@ pub(crate) fn fine_in(
     Ok(Some(fine))
 }
 
-/// Follows the field through the steps of a stage, with observations weighted by `weight`. Whether all numbers stayed
-/// finite.
+/// Runs the steps of a stage, with observations weighted by `weight`. Returns whether all numbers stayed finite.
 pub(crate) fn followed(
     displacement: &Displacement<'_>,
     fine: &mut Fine,
@@ -74,7 +74,7 @@ pub(crate) fn followed(
     let values = displacement.guides.below(track.values(&thinned));
     let starts = track.starts(&thinned);
     let mirrored = track.base.pose.is_reflection();
-    // Settling stays where the fine stage ended.
+    // Settling keeps the scale at which the fine stage ended.
     let (from, to) = (stage.min(3), (stage + 1).min(3));
     let mut schedule = displacement.schedule(stage, steps);
     while let Some(at) = schedule.next() {
@@ -114,8 +114,8 @@ fn along_mm(displacement: &Displacement<'_>) -> f64 {
     displacement.options.fine.along * displacement.lengths.sampling_mm
 }
 
-/// Observations of the closest point of the surface along its normals, and weakly of the assigned means across
-/// them.
+/// Observations along the normals of the closest point of the surface, and with a low weight across the normals of the
+/// assigned means.
 pub(crate) fn sliding(
     displacement: &Displacement<'_>,
     assigned: &Assigned,
@@ -137,7 +137,7 @@ pub(crate) fn sliding(
             let to_mean = assigned.found.targets[i] - p;
             let height = normal.dot(&to_surface);
             let displacement = (p - starts[i]) + to_mean + normal * (height - normal.dot(&to_mean));
-            // A point that is far away or on the opposite side has no counterpart there (Cauchy's weight).
+            // Cauchy weight: a point that is far away, or on the opposite side of a wall, is no counterpart.
             let trust =
                 normal.dot(&assigned.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * along_mm)).powi(2));
             let area = areas[i];

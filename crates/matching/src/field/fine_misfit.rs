@@ -1,4 +1,4 @@
-//! The misfit by which the ends of two attempts are compared.
+//! The misfit by which two complete fits are compared.
 
 use super::displacement::Displacement;
 use super::track::placed;
@@ -6,14 +6,14 @@ use crate::pair::assignment::comparison_kernel;
 use homolog_registration::alignment::{OrientedPoints, misfit};
 use nalgebra::Point3;
 
-/// Width of the assignment by which the ends of two attempts are compared, in roots of the area: that of the sampling of a
-/// surface of about two thousand vertices.
+/// Width of the assignment in this misfit, in roots of the area: the sampling distance of a surface of about 2000
+/// vertices.
 pub(crate) const COMPARISON_SCALE: f64 = 0.02;
-/// Vertices of the source that are compared.
+/// Most source vertices that are compared.
 pub(crate) const COMPARISON_SAMPLES: usize = 1200;
 
-/// Misfit at the scale of the sampling of the source with its vertices at `moved`, by a pose that may have mirrored it: mean
-/// of `−ln` of the likelihood of the other surface at each point; lower is better.
+/// Misfit of the source with its vertices at `moved`, at the scale of its sampling: mean of `−ln` of the likelihood of
+/// each point of either surface under the other; lower is better. `mirrored`: whether the pose mirrors the source.
 pub(crate) fn fine_misfit(displacement: &Displacement<'_>, moved: Vec<Point3<f64>>, mirrored: bool) -> f64 {
     let thinned = displacement.source.thinned(COMPARISON_SAMPLES);
     let kernel = comparison_kernel(COMPARISON_SCALE * displacement.lengths.root_mm);

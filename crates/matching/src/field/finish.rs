@@ -1,4 +1,4 @@
-//! From a field to the moved vertices: a fit back for two subjects, the rigid part, variances.
+//! From a field to moved vertices: the fit in the other direction for two subjects, the rigid part, and variances.
 
 use super::agreement::agreement;
 use super::along;
@@ -19,7 +19,7 @@ use homolog_mesh::SurfaceMesh;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
-/// The source moved by `refined`, of which `pose` is near the rigid part.
+/// The source moved by `refined`; `pose` is close to its rigid part.
 pub(crate) fn finished(
     displacement: &Displacement<'_>,
     surfaces: &Surfaces<'_>,
@@ -27,12 +27,12 @@ pub(crate) fn finished(
     pose: &RigidTransform,
 ) -> Result<Option<Deformed>, MatchError> {
     let Surfaces { source, target, full_source, full_target, target_closest, open, lengths, .. } = *surfaces;
-    // The mean of two fits agrees with any surface better than either does, so agreement is measured before.
+    // The mean of two fits agrees with a surface better than either fit, so agreement is measured on this fit alone.
     let own = refined.moved(source);
     let agreement = agreement(displacement, &own);
     let residual_mm = refined.residual_mm;
     let reached = pose_of(displacement, &own, pose);
-    // A part that is missing on one surface has no counterpart in a fit back.
+    // A region that is missing on one surface would have no counterpart in a fit in the other direction.
     let returned = if open
         || refined.base.bend.is_some()
         || residual_mm < displacement.options.route.two_subjects * lengths.sampling_mm
@@ -48,7 +48,7 @@ pub(crate) fn finished(
     };
     let fitted = met(source, own);
     let distortion = distortion(source, &fitted);
-    // A bent base comes from forms alone.
+    // Only bending-invariant forms give a bent base.
     let is_of_forms = refined.base.bend.is_some();
     let error = is_of_forms.then(|| along::squared_error(source, &fitted, &agreement, &lengths));
     // A field keeps the handedness of its pose.
@@ -56,7 +56,7 @@ pub(crate) fn finished(
     let Some(rigid) = displacement.alignment(edge_mm).rigid_part(source, &fitted, mirrored, false)? else {
         return Ok(None);
     };
-    // The field of a small surface is fitted on all its vertices.
+    // A small surface is not thinned: its field is fitted at all its vertices.
     let moved = if source == full_source { fitted } else { met(full_source, refined.moved(full_source)) };
     let transform = rigid.transform;
     if displacement.options.uncertainty == Uncertainty::Residual {
@@ -66,7 +66,7 @@ pub(crate) fn finished(
     let Some(mut variances) = observed::variances(displacement, &refined, &reached, full_source.vertices()) else {
         return Ok(None);
     };
-    // Copies need no deformation from their own pose, and much from others. Bent surfaces have no axis.
+    // Copies start from their own pose, and bent surfaces have no axis: neither needs rotations in the variance.
     if !rigid.copies
         && !is_of_forms
         && let Some(of_starts) = spread_of_rotations(displacement, full_source.vertices(), &reached)?
@@ -79,8 +79,8 @@ pub(crate) fn finished(
     Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
 }
 
-/// The source moved rigidly onto its copy. A field would pull the part without counterpart towards the rim, and its surroundings
-/// with it.
+/// The source moved rigidly onto its copy. A field would pull the region without counterpart, and its surroundings,
+/// towards the rim.
 pub(crate) fn moved_rigidly(
     displacement: &Displacement<'_>,
     surfaces: &Surfaces<'_>,
@@ -93,7 +93,7 @@ pub(crate) fn moved_rigidly(
     Deformed { variances: vec![0.0; moved.len()], moved, transform, residual_mm, agreement, distortion: 0.0 }
 }
 
-/// The inverse of the map from the target to the source. `None` where a number is not finite.
+/// The source moved by the inverse of the map from the target to the source. `None` if a number is not finite.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].

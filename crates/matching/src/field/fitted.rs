@@ -22,7 +22,7 @@ pub(crate) struct Fine {
     pub residual_mm: f64,
     /// Share of the assignment's weight that is kept across the normals.
     pub across_share: f64,
-    /// Its place in the energy trace, unless it is left out there.
+    /// Its number in the energy trace, unless it is not recorded there.
     pub fit: Option<TracedFit>,
 }
 
@@ -33,7 +33,7 @@ impl Fine {
     }
 }
 
-/// A second kernel, and the noise that it leaves.
+/// A second, narrower kernel, and the noise along the normals under it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LocalKernel {
     pub kernel: GaussianKernel,
@@ -45,7 +45,7 @@ pub(crate) struct LocalKernel {
 
 /// A field after all stages.
 pub(crate) struct Refined {
-    /// What the field is added to, in terms of `base_functions`.
+    /// The map that the field is added to, in terms of `base_functions`.
     pub base: Base,
     pub base_functions: Functions,
     pub field: FittedField,
@@ -53,7 +53,8 @@ pub(crate) struct Refined {
     pub functions: Functions,
     /// Robust standard deviation of the residual along the normals after the fine stage, mm.
     pub residual_mm: f64,
-    /// What the local stage found, if it took part: the covariance of the field is then that of all its displacement.
+    /// The second kernel, if the local stage added one: the covariance of the field is then that of the whole
+    /// displacement.
     pub local: Option<LocalKernel>,
 }
 
@@ -69,7 +70,7 @@ impl Refined {
         self.based(mesh, &self.functions.values(mesh.vertices()))
     }
 
-    /// The vertices of `mesh`, where the functions of the field have these `values`, moved by the base.
+    /// Moves the vertices of `mesh` by the base; `values` are the functions of the field there.
     fn based(&self, mesh: &SurfaceMesh, values: &Mat<f64>) -> Vec<Point3<f64>> {
         if self.local.is_some() && self.base.bend.is_some() {
             self.base.moved(mesh.vertices(), &self.base_functions.values(mesh.vertices()))
@@ -79,8 +80,8 @@ impl Refined {
     }
 }
 
-/// The rigid part of what moves the vertices of the source to `moved`: a start that forgets from where it was reached, `pose`, but
-/// has its handedness. `pose` where there is none.
+/// The rigid part of the map of the vertices of the source to `moved`, with the handedness of `pose`. It does not
+/// otherwise depend on `pose`, which is returned if the fit fails.
 pub(crate) fn pose_of(displacement: &Displacement<'_>, moved: &[Point3<f64>], pose: &RigidTransform) -> RigidTransform {
     let SmoothSurface { mesh, areas, .. } = &*displacement.source;
     absolute_orientation_of(mesh.vertices(), moved, Some(areas), pose.is_reflection()).unwrap_or(*pose)

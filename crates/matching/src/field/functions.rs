@@ -1,4 +1,4 @@
-//! The functions that a displacement field is a sum of, and the coordinates in which they are smooth.
+//! The basis functions of a displacement field, and the coordinates in which they are smooth.
 
 use super::options::DisplacementOptions;
 use super::unbending::Unbending;
@@ -10,17 +10,17 @@ use homolog_registration::deformation::{FieldBasis, SmoothPrior};
 use nalgebra::Point3;
 use std::sync::Arc;
 
-/// Functions of places on the source.
+/// Basis functions over the source.
 #[derive(Clone)]
 pub(crate) struct Functions {
     basis: FieldBasis,
-    /// Smooth in the coordinates of the bending-invariant form, where places far apart along the surface are far apart,
-    /// even if they are close through space; without it, in space.
+    /// Map to the bending-invariant form, in whose coordinates the functions are then smooth: places far apart along
+    /// the surface are far apart there even if they are close in space. `None`: the functions are smooth in space.
     unbending: Option<Arc<Unbending>>,
 }
 
 impl Functions {
-    /// The functions over `points` of the source, mm. `None` without points, or where a number is not finite.
+    /// The functions over `points` of the source, mm. `None` without points, or if a number is not finite.
     pub(crate) fn new(
         points: &[Point3<f64>],
         prior: SmoothPrior,

@@ -7,9 +7,10 @@ use homolog_contract::parameters::Landmark;
 use homolog_registration::deformation::{FittedField, Observation};
 use nalgebra::Point3;
 
-/// Most that one landmark adds to the misfit of a pose, so that a wrong one does not decide alone.
+/// Most that one landmark adds to the misfit of a pose, so that one wrong landmark does not decide.
 const CAP: f64 = 10.0;
-/// Poses are compared before the field is fine: landmarks count as no more precise than this, in roots of the area.
+/// Least standard deviation of a landmark in the comparison of poses, which precedes the fine stage, in roots of the
+/// area.
 const COARSE: f64 = 0.05;
 
 /// Source points and the target points they should be moved to.
@@ -17,7 +18,7 @@ pub(crate) struct Guides {
     source: Vec<Point3<f64>>,
     target: Vec<Point3<f64>>,
     sigma_mm: Vec<f64>,
-    /// Least standard deviation where poses are compared, mm.
+    /// Least standard deviation in the comparison of poses, mm.
     coarse_mm: f64,
     /// Functions of the field at the source points, one row each.
     values: Mat<f64>,
@@ -46,7 +47,7 @@ impl Guides {
         }
     }
 
-    /// The same points for a field that moves the target to the source; `functions` are that field's.
+    /// The same points for the field from target to source, whose functions are `functions`.
     pub(crate) fn swapped(&self, functions: &Functions) -> Self {
         Guides {
             values: functions.values(&self.target),
@@ -68,7 +69,7 @@ impl Guides {
         })
     }
 
-    /// The displacement that each landmark observes after `base`.
+    /// The displacement from `base` to each landmark.
     pub(crate) fn observations(&self, base: &Base) -> Vec<Observation> {
         let moved = base.moved(&self.source, &self.values);
         let observation = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {

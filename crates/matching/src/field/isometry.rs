@@ -1,11 +1,11 @@
-//! The fit from near isometries, where no rigid start leads to surfaces that agree, and between surfaces with limbs.
+//! The fit from near isometries: between surfaces with limbs, and where no rigid start leads to agreement.
 //!
-//! The labelings of least energy of near isometries ([`crate::energy`]), from nothing and from extremities
-//! ([`crate::starts::extremities`]), are correspondences. Each bends the source onto the target before a field is fitted: bending costs
-//! nothing, and the prior of the field is that of what remains. Its functions are smooth along the surface instead of through space
-//! ([`super::unbending`]), so that a limb moves apart from what it happens to be close to. The stages are those of a rigid
-//! start. Those of the lowest energies go through all stages; of them, that with the lowest misfit at the scale of the
-//! sampling is kept.
+//! The labelings of lowest energy of near isometries ([`crate::energy`]), from no start and from extremities
+//! ([`crate::starts::extremities`]), are correspondences. Each bends the source onto the target before a field is
+//! fitted; the prior of the field applies only to the remaining displacement, so bending has no cost. The functions of
+//! the field are smooth along the surface instead of in space ([`super::unbending`]), so that a limb moves
+//! independently of a region that it is close to. The stages are those of a rigid start. The correspondences of lowest
+//! energy go through all stages, and the one of lowest misfit at the scale of the sampling is kept.
 
 use super::base::{Base, State};
 use super::coarse::coarse_from;
@@ -37,28 +37,29 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Mean distance of points of the same index, mm; 0 of none.
+/// Mean distance of points of the same index, mm; 0 for empty lists.
 fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
     a.iter().zip(b).map(|(p, q)| (p - q).norm()).sum::<f64>() / a.len().max(1) as f64
 }
 
-/// Correspondences of low energy, that of the present answer among them.
+/// Correspondences of low energy, including that of the present answer.
 pub(crate) struct LowEnergies<'a> {
     isometry: Isometry<'a>,
     groups: Groups,
-    /// The lowest first, each another correspondence.
+    /// Distinct correspondences by increasing energy.
     starts: Vec<NearIsometry>,
-    /// Whether none has a lower energy than what the present answer leads to.
+    /// Whether no correspondence has a lower energy than that of the present answer.
     pub is_answer_lowest: bool,
 }
 
 impl LowEnergies<'_> {
-    /// Whether `start` costs more than the lowest, beyond chance.
+    /// Whether `start` costs significantly more than the lowest.
     fn is_clearly_above_lowest(&self, start: &NearIsometry) -> bool {
         self.starts.first().is_some_and(|lowest| self.groups.lead(&lowest.shares, &start.shares) > DISTINCT)
     }
 
-    /// Whether the labels of the mirrored source do not cost less, beyond chance; so it is for a body whose left and right are alike.
+    /// Whether the labels of the mirrored source do not cost significantly less. This also holds for a body whose left
+    /// and right are alike.
     pub(crate) fn are_of_same_handedness(&self) -> bool {
         match (self.starts.first(), self.isometry.lowest_mirrored()) {
             (Some(lowest), Some(mirrored)) => self.groups.lead(&lowest.shares, &mirrored) > -DISTINCT,
@@ -68,8 +69,8 @@ impl LowEnergies<'_> {
     }
 }
 
-/// The correspondences of low energy between `source` and `target`, the surfaces of `displacement`: from nothing, from extremities, and from an
-/// answer that moves the vertices of the source to `moved`, mm.
+/// The correspondences of low energy between `source` and `target`, the surfaces of `displacement`: from no start, from
+/// extremities, and from an answer that moves the vertices of the source to `moved`, mm.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -106,8 +107,7 @@ pub(crate) fn low_energies<'a>(
     Ok(LowEnergies { isometry, groups, starts, is_answer_lowest })
 }
 
-/// The first of `starts` by their energy, the lowest first, without those that are the same correspondence as one before
-/// them.
+/// The `starts` of lowest energy, sorted, without duplicates of a correspondence of lower energy.
 fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64, settings: &IsometryFitSettings) -> Vec<NearIsometry> {
     starts.sort_by(|a, b| a.energy.total_cmp(&b.energy));
     let mut kept: Vec<NearIsometry> = Vec::new();
@@ -121,7 +121,7 @@ fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64, settings: &IsometryFitS
     kept
 }
 
-/// A displacement whose functions are smooth over the form of the source, with what its first stage reads.
+/// A displacement whose functions are smooth over the form of the source, with the values that its coarse stage reads.
 pub(crate) struct OverForm<'a> {
     displacement: Displacement<'a>,
     thinned: Thinned,
@@ -131,7 +131,7 @@ pub(crate) struct OverForm<'a> {
 }
 
 impl<'a> OverForm<'a> {
-    /// `displacement` with functions over the `form` of its source. `None` where a number is not finite.
+    /// `displacement` with functions over the `form` of its source. `None` if a number is not finite.
     pub(crate) fn new(displacement: &'a Displacement<'_>, form: &BendingInvariantForm) -> Option<OverForm<'a>> {
         let mesh = &displacement.source.mesh;
         let settings = &displacement.options.isometry;
@@ -150,7 +150,7 @@ impl<'a> OverForm<'a> {
         Some(OverForm { displacement, thinned, thinned_target, values })
     }
 
-    /// The first stage over `base`.
+    /// The coarse stage over `base`.
     fn coarse(&self, base: &Base) -> Option<(f64, State)> {
         let schedule = self.displacement.schedule(0, self.displacement.options.steps[0]);
         coarse_from(&self.displacement, base, &self.thinned, &self.thinned_target, &self.values, schedule)
@@ -162,7 +162,7 @@ impl<'a> OverForm<'a> {
     }
 }
 
-/// A correspondence that bends the source onto the target, after the first stage.
+/// A correspondence that bends the source onto the target, after the coarse stage.
 pub(crate) struct BentStart {
     start: NearIsometry,
     misfit: f64,
@@ -180,7 +180,7 @@ impl BentStart {
     }
 }
 
-/// The first stage from each of the correspondences of least energy for which it is possible.
+/// The coarse stage from each of the correspondences of lowest energy for which it is possible.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -203,15 +203,15 @@ pub(crate) struct BestBent {
     pub refined: Refined,
     /// Its misfit at the scale of the sampling.
     pub fine_misfit: f64,
-    /// The correspondences that were compared, the one that was kept first.
+    /// The correspondences that were compared, the one kept first.
     pub compared: Vec<ComparedPose>,
 }
 
-/// Where a near isometry ended after all stages.
+/// A near isometry after all stages.
 struct End {
     start: NearIsometry,
     refined: Refined,
-    /// Where the vertices of the source are moved, mm.
+    /// The vertices of the source where they are moved, mm.
     moved: Vec<Point3<f64>>,
     /// The misfit at the scale of the sampling.
     misfit: f64,
@@ -226,7 +226,8 @@ impl End {
         End { start, refined, moved, misfit, unexplained }
     }
 
-    /// Whether `other` explains the surfaces as well, with corresponding points that are farther off than `same_mm` on average.
+    /// Whether `other` explains the surfaces as well, though its corresponding points are more than `same_mm` away on
+    /// average.
     fn has_rival(&self, other: &End, groups: &Groups, same_mm: f64) -> bool {
         let (Some(own), Some(others)) = (&self.unexplained, &other.unexplained) else { return false };
         let lead = groups.lead(&self.start.shares, &other.start.shares);
@@ -234,7 +235,7 @@ impl End {
     }
 }
 
-/// The best of the `starts` after all stages, which those of the lowest energies go through. `None` where none can.
+/// The best of `starts`, of which those of lowest energy go through all stages. `None` if no fit succeeds.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -266,7 +267,7 @@ pub(crate) fn best_of_lowest(
     Ok(Some(BestBent { refined: best.refined, fine_misfit: best.misfit, compared }))
 }
 
-/// `best` after all stages were run again from where they ended, as long as that lowers its misfit.
+/// Repeats all stages from the result of `best` while this lowers the misfit.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -289,14 +290,14 @@ pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<B
     Ok(best)
 }
 
-/// The source bent by correspondences, over their rigid part.
+/// The source bent by the correspondences of `start`, over their rigid part.
 fn bent(displacement: &Displacement<'_>, start: &NearIsometry) -> Option<Base> {
     let pose = absolute_orientation(&start.points, &start.images, None, false).ok()?;
     let precision = (displacement.options.isometry.form_sigma * displacement.diagonal_mm).powi(-2);
     base_through(displacement, pose, &start.points, &start.images, precision)
 }
 
-/// The source where `refined` moves it, as a base.
+/// The source moved by `refined`, as a base.
 fn rebased(displacement: &Displacement<'_>, refined: &Refined) -> Option<Base> {
     let moved = refined.moved(&displacement.source.mesh);
     let precision = (displacement.options.isometry.rebased_sigma * displacement.diagonal_mm).powi(-2);

@@ -1,13 +1,13 @@
-//! The local stage: narrower displacements, where the residual heights show that there are some.
+//! The local stage: narrow displacements, if the residual heights show any.
 //!
-//! After the fine stage the wide field has taken up what is smooth over a third of the structure. What remains along the
-//! normals is either the noise of sampling or displacement over shorter distances. Their marginal likelihood decides, and
-//! gives the width and the variance of a second kernel and the noise. The sum of both kernels is then fitted as one field:
-//! normals of different directions within one width determine the displacement along the surface as well, and where they
-//! do not, the posterior covariance says so.
+//! After the fine stage the wide field has taken up displacement that is smooth over a third of the structure. The
+//! remaining heights along the normals are either sampling noise or narrower displacement. Their marginal likelihood
+//! decides between the two, and estimates the width and variance of a second kernel and the noise. The sum of both
+//! kernels is then fitted as one field: normals of different directions within one width also determine the
+//! displacement along the surface, and where they do not, the posterior covariance is large.
 //!
-//! The wide field alone takes narrow displacements for wide ones and slides along the surface to follow them. So the field of
-//! both kernels is fitted anew, from the rigid pose through all stages.
+//! The wide field alone slides along the surface to follow narrow displacements. So the field of both kernels is fitted
+//! from the rigid pose, through all stages.
 
 use super::coarse::coarse_alone;
 use super::displacement::Displacement;
@@ -24,11 +24,11 @@ use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
 use nalgebra::Point3;
 
-/// Largest ratio of the variances of the second kernel and of the noise, as a power of two: less noise than a 64th of the displacement is not
-/// believed.
+/// Largest ratio of the variances of the second kernel and of the noise, as a power of two: noise of less than a 64th
+/// of the displacement is not plausible.
 const LARGEST_RATIO: i32 = 12;
 
-/// The kernel that counts, and what it leaves, for one that was `found` on surfaces sampled at this distance.
+/// The kernel to add, and the noise under it, for the kernel that was `found` on surfaces with this sampling distance.
 fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &DisplacementOptions) -> LocalKernel {
     let GaussianKernel { width_mm, amplitude_mm } = found.kernel;
     let clearness = (options.local.voxel_noise * sampling_mm / found.noise_mm.max(f64::MIN_POSITIVE)).powi(2);
@@ -45,8 +45,7 @@ struct Local {
     field: FittedField,
 }
 
-/// The field with a second, narrower kernel; `None` where the heights over the target that `fine` leaves are no more than
-/// noise.
+/// The field with a second, narrower kernel; `None` if the residual heights of `fine` over the target are noise.
 pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Option<Refined>, MatchError> {
     let moved = fine.moved();
     let settings = &displacement.options.local;
@@ -59,7 +58,8 @@ pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Opti
     let local = local_kernel(&found, displacement.lengths.sampling_mm, displacement.options);
     let Some(joint) = with_kernel(displacement, &local) else { return Ok(None) };
     let base = &fine.track.base;
-    // What the wide field took for displacement along the surface is forgotten, where the base allows it.
+    // A fit from the rigid pose drops the displacement along the surface by which the wide field followed narrow ones.
+    // A bent base does not allow this.
     let found = match base.bend {
         None => anew(&joint, &pose_of(displacement, &moved, &base.pose), &local)?,
         Some(_) => {
@@ -70,7 +70,7 @@ pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Opti
     Ok(found.map(|kept| refined_locally(displacement, &joint, kept, fine.residual_mm, local)))
 }
 
-/// The field with the kernel that was found in the other direction, from `pose`.
+/// The field from `pose` with the kernel that the fit in the other direction found.
 pub(crate) fn locally_from(
     displacement: &Displacement<'_>,
     pose: &RigidTransform,
@@ -127,7 +127,7 @@ fn anew(
     followed_locally(displacement, fine.track, (moved, fine.feature_precision), fit, local)
 }
 
-/// The kernel under which the heights of the source, moved to `moved`, below the target are most probable.
+/// The most probable kernel of the heights of the source, with its vertices at `moved`, below the target.
 fn evidence(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Option<KernelEvidence> {
     let source = displacement.source.mesh.vertices();
     let step = source.len().div_ceil(displacement.options.local.evidence_samples);
@@ -201,7 +201,7 @@ mod tests {
         };
         assert_eq!([share(0.4), share(0.2)], [across_share; 2]);
         assert!((share(0.1) - 4.0 * across_share).abs() < 1e-12);
-        // Never more than all of it.
+        // The share is 1 at most.
         assert_eq!([share(0.01), share(0.0)], [1.0; 2]);
     }
 }

@@ -1,15 +1,17 @@
-//! How well the surfaces determine a field: the uncertainty of an answer.
+//! Uncertainty of an answer: how precisely the surfaces determine a field.
 //!
-//! A fit follows what is assigned to it, and its own covariance takes that for observations: on a smooth surface a field may slide along it, and
-//! what it is assigned slides with it. What two surfaces do say of a displacement are its components along the normals, and along the surface
-//! what changes a feature. Each is one scalar observation with the noise that this pair shows, and the posterior of a Gaussian process
-//! under these alone, [`homolog_registration::deformation::posterior_covariances`], is the uncertainty.
+//! The covariance of the fit is too small, because the fit treats its assignments as observations: on a smooth surface
+//! a field may slide along the surface, and its assignments slide with it. Two surfaces determine the components of a
+//! displacement along the normals and, along the surface, in the directions in which a feature changes. Each such
+//! component is one scalar observation, with noise estimated from this pair, and the uncertainty is the posterior of a
+//! Gaussian process under these observations alone, [`homolog_registration::deformation::posterior_covariances`].
 //!
-//! All of it is estimated from the pair: the width and the variance of the process are those under which the normal components of the
-//! displacement, without its rigid part, are most probable; noise is what this process leaves along the normals, and the difference of
-//! the features of corresponding points. Residuals of neighbors are correlated, so that a point counts as its share of the area over
-//! which they are. Where the target is curved, a height also has the error of its own linearization, which is as large as the posterior
-//! says that the point may have slid: both are found in turns ([`Sample::posterior`]).
+//! All parameters are estimated from the pair. Width and variance of the process are those under which the normal
+//! components of the displacement, without its rigid part, are most probable. The noise along the normals is the
+//! residual of this process, the noise of features their difference at corresponding points. Residuals of neighbors are
+//! correlated, so the weight of a point is its area over the area within which they are correlated. On a curved target
+//! a height also has a linearization error, which grows with the posterior variance along the surface: both are
+//! iterated to a fixed point ([`Sample::posterior`]).
 
 use super::displacement::Displacement;
 use super::fitted::{Refined, pose_of};
@@ -23,48 +25,51 @@ use homolog_registration::deformation::{
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Points of the source at which components are observed, at most. 250 gave the same uncertainties within 5 %.
+/// Most points of the source at which components are observed.
 const MOST_POINTS: usize = 200;
-/// Features that are observed: those of the largest scale, of which noise changes the gradients least.
+/// Features that are observed: those at the largest scale, whose gradients have the least noise.
 const FEATURES: std::ops::Range<usize> = N_FEATURES - 2..N_FEATURES;
-/// Widths of the process, in diagonals: in steps of √2 from those that the local stage tries to those of a whole structure.
+/// Widths of the process, in diagonals: in steps of √2 from those of the local stage to that of a whole structure.
 const WIDTHS: [f64; 7] = [0.075, 0.105, 0.15, 0.21, 0.3, 0.42, 0.6];
-/// Largest ratio of the variances of the process and of the noise, as a power of two: on surfaces without noise a field is known to a thousandth of
-/// its size.
+/// Largest ratio of the variances of the process and of the noise, as a power of two: on surfaces without noise a field
+/// is known to a thousandth of its size.
 const LARGEST_RATIO: i32 = 22;
-/// Kernels of the process, and how fast their amplitude falls with their width: as that of a Matérn process of smoothness 5/2, the usual choice
-/// (Rasmussen, Williams 2006, section 4.2.1).
+/// Kernels of the process, and the exponent by which their amplitude falls with their width: that of a Matérn process
+/// of smoothness 5/2 (Rasmussen, Williams 2006, section 4.2.1).
 const N_OCTAVES: i32 = 3;
 const SMOOTHNESS: f64 = 2.5;
-/// Most times that the variances and the error of heights are found in turns, and the growth of variances below which both are at rest.
+/// Most iterations between the variances and the error of heights, and the growth of variances at which they stop.
 const MOST_PASSES: usize = 12;
 const AT_REST: f64 = 1.05;
-/// Bins of the distance in an autocorrelation, and their width in roots of the area.
+/// Bins of distance in an autocorrelation, and their width in roots of the area.
 const N_BINS: usize = 60;
 const BIN: f64 = 0.02;
 
-/// The points of a sample of the source, and what is observed there.
+/// A sample of the points of the source, and the observations there.
 struct Sample {
     points: Vec<Point3<f64>>,
     /// Area of each, mm².
     areas: Vec<f64>,
     /// Unit normals of the target at the images.
     normals: Vec<Vector3<f64>>,
-    /// Displacement along the normals from the bent base or without its rigid part, with the distance from the target that is left, mm.
+    /// Displacement along the normals, relative to the bent base or without its rigid part, plus the remaining distance
+    /// from the target, mm.
     shifts: Vec<f64>,
-    /// That distance, mm.
+    /// Remaining distance from the target along the normals, mm.
     heights: Vec<f64>,
-    /// Mean square of what the target falls away from its tangent plane at a displacement along it, over the fourth power of the
-    /// standard deviation of that displacement along each axis, 1/mm².
+    /// Mean square of the distance of the target from its tangent plane after a displacement along it, over the fourth
+    /// power of the standard deviation of that displacement along each axis, 1/mm².
     bending: Vec<f64>,
-    /// For each feature its difference from that of the image, and its gradient on the target, 1/mm.
+    /// For each feature the difference between a point and its image, and the gradient of the feature on the target,
+    /// 1/mm.
     features: Vec<Vec<(f64, Vector3<f64>)>>,
 }
 
-/// The posterior variance of the displacement by `refined` at each of the `points` of the source, mm². `None` where a number is not finite.
+/// The posterior variance of the displacement by `refined` at each of the `points` of the source, mm². `None` if a
+/// number is not finite.
 ///
 /// # Cost
-/// `O(N³ + N · points)` for the `N` observed components, 600 at most.
+/// `O(N³ + N · points)` for `N` observed components, at most 600.
 pub(super) fn variances(
     displacement: &Displacement<'_>,
     refined: &Refined,
@@ -75,7 +80,7 @@ pub(super) fn variances(
     let diagonal_mm = displacement.diagonal_mm;
     let widths = WIDTHS.map(|width| width * diagonal_mm);
     let at = displacement.functions.coordinates(&sample.points);
-    // Copies are displaced nowhere.
+    // Copies have no displacement, so no kernel is found.
     let Some(found) = most_probable_kernel(&at, &sample.normals, &sample.shifts, &widths, LARGEST_RATIO) else {
         return Some(vec![0.0; points.len()]);
     };
@@ -85,8 +90,8 @@ pub(super) fn variances(
     Some(sample.spread_to(points, &of_sample))
 }
 
-/// The kernel that was found and the octaves below it. A process with a Gaussian kernel alone has infinitely many derivatives, and one that is
-/// observed without noise is known nearly everywhere from the observed components; warps are not that smooth.
+/// The kernel that was found and the octaves below it. A process with one Gaussian kernel has infinitely many
+/// derivatives, and observations without noise determine it nearly everywhere; real warps are less smooth.
 fn octaves(found: GaussianKernel) -> impl Iterator<Item = GaussianKernel> {
     (0..N_OCTAVES).map(move |octave| GaussianKernel {
         width_mm: found.width_mm * 0.5f64.powi(octave),
@@ -100,7 +105,7 @@ impl Sample {
         let moved = refined.moved(&source.mesh);
         let (vertices, closest) = (source.mesh.vertices(), target.closest());
         let start = match refined.base.bend {
-            // What a bent base takes up is no displacement of the field.
+            // The displacement of a bent base is no part of the field.
             Some(_) => refined.started(&source.mesh),
             None => {
                 let rigid = pose_of(displacement, &moved, pose);
@@ -120,7 +125,7 @@ impl Sample {
         for i in (0..moved.len()).step_by(step) {
             let image = closest.index.closest(&moved[i]);
             let normal = image.blend(|k| target.normals[k]).try_normalize(1e-9);
-            // What lies beyond the rim of the target has no counterpart there.
+            // A point beyond the rim of the target has no counterpart.
             let Some(normal) = normal.filter(|_| !closest.is_at_rim(&image)) else { continue };
             let height = normal.dot(&(image.point - moved[i]));
             sample.points.push(vertices[i]);
@@ -144,9 +149,10 @@ impl Sample {
 
     /// The posterior variance of the displacement at each point, mm², for this prior and noise along the normals.
     ///
-    /// A height is the component of a displacement along the normal only as far as the target is flat: where its point is off by `δ` along the
-    /// surface, it is off by `½ δᵀ W δ`. This error is noise of the height, of the size that the posterior itself states for `δ`, so
-    /// that the two are found together: from no such error on both grow, and come to rest.
+    /// A height equals the component of the displacement along the normal only where the target is flat: if its point
+    /// is off by `δ` along the surface, the height is off by `½ δᵀ W δ`. This error is noise of the height, whose
+    /// variance follows from the posterior variance of `δ`. Both are iterated from zero error, growing until they
+    /// converge.
     fn posterior(&self, at: &[Point3<f64>], prior: &SmoothPrior, noise_mm: f64, root_mm: f64) -> Option<Vec<f64>> {
         let center = Point3::from(at.iter().map(|p| p.coords).sum::<Vector3<f64>>() / at.len().max(1) as f64);
         let n = at.len();
@@ -162,7 +168,7 @@ impl Sample {
             }
             before = total;
             for (k, height) in components.iter_mut().take(n).enumerate() {
-                // The squares of correlated displacements are correlated by the square of that.
+                // The correlation of the squares of two displacements is the square of their correlation.
                 let scale = |l: usize| (variances[k] * variances[l]).max(f64::MIN_POSITIVE);
                 let correlated: f64 = (0..n).map(|l| self.areas[l] * traces[(k, l)].powi(2) / scale(l)).sum();
                 let slid = 0.5 * variances[k];
@@ -172,7 +178,7 @@ impl Sample {
         Some(variances)
     }
 
-    /// What is observed at these points, along the normals with noise of `noise_mm`: heights first.
+    /// The observed components at these points, heights first; `noise_mm` is the noise along the normals.
     fn components(&self, at: &[Point3<f64>], noise_mm: f64, root_mm: f64) -> Vec<Component> {
         let component = |k: usize, direction: Vector3<f64>, variance: f64, correlated: f64| {
             let share = (correlated / self.areas[k]).max(1.0);
@@ -184,7 +190,7 @@ impl Sample {
         for observed in &self.features {
             let differences: Vec<f64> = observed.iter().map(|(difference, _)| *difference).collect();
             let (variance, correlated) = (self.variance(&differences), self.correlated_area(&differences, root_mm));
-            // A feature without a difference, on planes or between exact copies, has no gradient that could be trusted.
+            // A feature without differences (planes, exact copies) says nothing about its noise, so it is left out.
             if variance > 0.0 {
                 // Features are highly correlated with each other.
                 let variance = variance / FEATURE_SHARE;
@@ -194,14 +200,14 @@ impl Sample {
         components
     }
 
-    /// Mean square of residuals over the area.
+    /// Mean square of residuals, weighted by area.
     fn variance(&self, residuals: &[f64]) -> f64 {
         let squares: f64 = residuals.iter().zip(&self.areas).map(|(r, area)| area * r * r).sum();
         squares / self.areas.iter().sum::<f64>().max(f64::MIN_POSITIVE)
     }
 
-    /// The area over which residuals are correlated, mm²: the integral of their autocorrelation, as far as it is positive, and at least that of a
-    /// point. Cost `O(points²)`.
+    /// The area over which residuals are correlated, mm²: the integral of their autocorrelation up to its first zero,
+    /// and at least the area of a point. Cost `O(points²)`.
     fn correlated_area(&self, residuals: &[f64], root_mm: f64) -> f64 {
         let (mut products, mut weights) = ([0.0; N_BINS], [0.0; N_BINS]);
         for (i, p) in self.points.iter().enumerate() {
@@ -220,7 +226,7 @@ impl Sample {
         own + positive.map(|bin| products[bin] / (variance * total)).sum::<f64>()
     }
 
-    /// Values of the sample at `points`: means over the points of the sample, each weighted by its distance.
+    /// Values of the sample at `points`: means over the sample, weighted by distance.
     fn spread_to(&self, points: &[Point3<f64>], values: &[f64]) -> Vec<f64> {
         let spacing = self.areas.iter().sum::<f64>() / self.areas.len().max(1) as f64;
         let at = |p: &Point3<f64>| {
@@ -237,13 +243,15 @@ impl Sample {
     }
 }
 
-/// `E (½ δᵀ W δ)²` for `δ` of variance 1 along each axis of the tangent plane, and the derivative `W` of the normals along it.
+/// `E (½ δᵀ W δ)²` for `δ` of variance 1 along each axis of the tangent plane, where `W` is the derivative of the
+/// normals.
 fn mean_square_of_bending(turning: &Matrix3<f64>) -> f64 {
     let symmetric = 0.5 * (turning + turning.transpose());
     0.25 * (2.0 * (symmetric * symmetric).trace() + symmetric.trace().powi(2))
 }
 
-/// The gradient, on the triangle of `at`, of the function that is linear between the values of its corners; 0 on one without area.
+/// The gradient, on the triangle of `at`, of the linear interpolation of the values at its corners; 0 on a triangle
+/// without area.
 fn gradient(vertices: &[Point3<f64>], at: &ClosestPoint, value: impl Fn(usize) -> f64) -> Vector3<f64> {
     let corners = at.triangle.map(|k| k as usize);
     let [a, b, c] = corners.map(|k| vertices[k]);
@@ -263,7 +271,7 @@ mod tests {
     use super::*;
     use crate::testing::numbers;
 
-    /// Points of a square grid of one distance, without anything observed.
+    /// Points of a square grid of spacing 1, without observations.
     fn grid(side: usize) -> Sample {
         let points = (0..side * side).map(|k| Point3::new((k % side) as f64, (k / side) as f64, 0.0)).collect();
         let n = side * side;
@@ -287,13 +295,13 @@ mod tests {
         assert!(sample.correlated_area(&noise, root_mm) < 4.0);
         let alike = vec![0.3; sample.points.len()];
         assert!(sample.correlated_area(&alike, root_mm) > 0.9 * 14.0 * 14.0);
-        // Waves of a length of seven points, in between.
+        // Between the two: waves of a length of seven points.
         let wave: Vec<f64> = sample.points.iter().map(|p| (p.x * 0.9).sin() * (p.y * 0.9).cos()).collect();
         let area = sample.correlated_area(&wave, root_mm);
         assert!((4.0..60.0).contains(&area), "{area}");
     }
 
-    /// Heights over an open cap of a sphere of this radius, sampled about as far apart as those of a structure.
+    /// Heights over an open cap of a sphere of this radius, sampled about as densely as a structure.
     fn cap(radius_mm: f64) -> (Sample, Vec<Point3<f64>>) {
         let mut sample = grid(12);
         sample.points.iter_mut().for_each(|p| {
@@ -321,7 +329,7 @@ mod tests {
             let of_prior: f64 = (0..at.len()).map(|k| none[(k, k)]).sum();
             assert!(curved > 1.02 * linear && curved < of_prior, "{radius_mm}: {linear} {curved} {of_prior}");
         }
-        // A plane says nothing of sliding anyway, and where nothing slides there is no error.
+        // A plane does not limit sliding along it, and without sliding there is no error of linearization.
         let still = SmoothPrior { translation_mm: 0.0, linear: 0.0, kernels: Vec::new() };
         let (sample, at) = cap(9.0);
         assert!(sample.posterior(&at, &still, 0.02, 12.0).unwrap().iter().all(|variance| *variance < 1e-12));

@@ -4,21 +4,20 @@ use super::settings::{ChoiceSettings, FineSettings, IsometryFitSettings, LocalSe
 use crate::pair::prior::PriorOptions;
 use homolog_contract::parameters::Uncertainty;
 
-/// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread. Twice
-/// the steps and half again as many inducing points took 1.5 times as long and changed the share of vertices within one edge,
-/// and of labels that agree, by 0.003 at most (37 pairs).
+/// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread
+/// (docs/findings.md).
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct DisplacementOptions {
     /// The prior of the field, in diagonals of the source.
     pub prior: PriorOptions,
-    /// Vertices of the thinned surfaces in each stage; from the fine stage on the target has all.
+    /// Vertices of the thinned surfaces in each stage. From the fine stage on the target is not thinned.
     pub n_samples: [usize; 4],
     /// Steps of the four stages.
     pub steps: [u32; 4],
-    /// `σ` in diagonals at the start and after each of the first three stages.
+    /// Width `σ` of the assignment, in diagonals, at the start and after each of the first three stages.
     pub sigma: [f64; 4],
-    /// Independent observations over a surface at the start and after each of the first three stages; more of them make the
-    /// field less stiff.
+    /// Independent observations per surface at the start and after each of the first three stages; more observations
+    /// make the field less stiff.
     pub density: [f64; 4],
     /// The choice of the pose.
     pub choice: ChoiceSettings,
@@ -28,9 +27,9 @@ pub(crate) struct DisplacementOptions {
     pub local: LocalSettings,
     /// The fit from near isometries.
     pub isometry: IsometryFitSettings,
-    /// What is tried, and what is taken.
+    /// Which starts are tried, and which answer is taken.
     pub route: RouteSettings,
-    /// What variances rest on.
+    /// The source of the variances.
     pub uncertainty: Uncertainty,
 }
 

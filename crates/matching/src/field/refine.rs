@@ -1,4 +1,4 @@
-//! The stages from a field over its base to the end: middle, fine, and local or settling.
+//! All stages after the coarse one: middle, fine, and local or settling.
 
 use super::base::State;
 use super::displacement::Displacement;
@@ -16,7 +16,7 @@ pub(crate) fn refined(displacement: &Displacement<'_>, start: State) -> Result<O
     }
 }
 
-/// The field after the stages that follow `fine`.
+/// The field after the stages that follow the fine stage, from `fine`.
 pub(crate) fn refined_from(displacement: &Displacement<'_>, fine: Fine) -> Result<Option<Refined>, MatchError> {
     match local(displacement, &fine)? {
         Some(refined) => Ok(Some(refined)),

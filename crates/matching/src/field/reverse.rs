@@ -1,4 +1,4 @@
-//! The fit in the other direction: of the target to the source.
+//! The fit in the other direction, of the target to the source.
 
 use super::agreement::agreement;
 use super::choice::chosen;
@@ -16,27 +16,27 @@ use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 use std::sync::Arc;
 
-/// The pair in the other direction, after the fine stage.
+/// The fit of the target to the source after the fine stage.
 pub(crate) struct ReverseFit<'a> {
     pub displacement: Displacement<'a>,
-    /// Where it began.
+    /// The pose from which the fit began.
     pub pose: RigidTransform,
     pub fine: Fine,
 }
 
 impl ReverseFit<'_> {
-    /// Whether these are two subjects.
+    /// Whether the residual is that of two subjects.
     pub(crate) fn is_of_two_subjects(&self) -> bool {
         self.fine.residual_mm >= self.displacement.options.route.two_subjects * self.displacement.lengths.sampling_mm
     }
 
-    /// Whether the surfaces may agree better from another start.
+    /// Whether another start may give a better agreement.
     pub(crate) fn is_doubtful(&self) -> bool {
         agreement(&self.displacement, &self.fine.moved()).is_doubtful(&self.displacement.options.route)
     }
 }
 
-/// The target moved towards the source from the inverse of `pose`. `None` where a number is not finite.
+/// The target moved towards the source from the inverse of `pose`. `None` if a number is not finite.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -52,7 +52,7 @@ pub(crate) fn reverse_fit<'a>(
     Ok(fine.map(|fine| ReverseFit { displacement: back, pose, fine }))
 }
 
-/// The displacement of the target onto the source. `None` where a number is not finite.
+/// The displacement of the target onto the source. `None` if a number is not finite.
 fn backwards<'a>(displacement: &'a Displacement<'_>, surfaces: &Surfaces<'_>) -> Option<Displacement<'a>> {
     let functions = Functions::over(surfaces.target, &displacement.target, displacement.options)?;
     Some(Displacement {

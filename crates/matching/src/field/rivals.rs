@@ -1,12 +1,13 @@
-//! Rivals: whether another start explains both surfaces as well as the best one, or better.
+//! Rivals: whether another start explains both surfaces as well as the best start, or better.
 //!
-//! Two starts are compared place by place. After the wide field of each, the surfaces fall into patches, about as wide as residuals
-//! are correlated; the mean over a patch of `−ln` of the likelihood is one observation, and the differences between the two starts
-//! over all patches are tested against zero. Where more than one pose is right, they differ by what sampling does, with either sign;
-//! where one is wrong, it is wrong in many patches. So the evidence is measured in its own standard error, whatever the shapes, their
-//! noise and how far they are deformed.
+//! Two starts are compared patch by patch. After the wide field of each, the surfaces are divided into patches about as
+//! wide as the correlation of residuals. The mean over a patch of `−ln` of the likelihood is one observation, and the
+//! differences between the two starts over all patches are tested against zero. Where both poses are right, the
+//! differences have either sign and the size of sampling noise; a wrong pose is worse in many patches. Evidence is thus
+//! measured in standard errors, independent of shape, noise and deformation.
 //!
-//! Source: Student's paired t test; Vuong, "Likelihood ratio tests for model selection and non-nested hypotheses", 1989.
+//! Source: Student's paired t test; Vuong, "Likelihood ratio tests for model selection and non-nested hypotheses",
+//! 1989.
 
 use super::base::State;
 use super::displacement::Displacement;
@@ -23,39 +24,38 @@ use homolog_registration::{RigidTransform, SAME_POSE_ANGLE};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Patches of each surface.
+/// Patches per surface.
 const PATCHES: usize = 64;
-/// Standard errors of the mean difference from which one of two starts is better: by chance one of two thousand differs as far.
+/// Standard errors of the mean difference from which one of two starts is better; a chance of one in two thousand.
 const DISTINCT: f64 = 3.5;
 
-/// Standard errors from which a bent answer is preferred to a rigid start's: the usual two, as a wrong choice between answers that explain the
-/// surfaces nearly as well costs little.
+/// Standard errors from which a bent answer is preferred to the answer of a rigid start: the usual two, because a wrong
+/// choice between answers of nearly equal likelihood costs little.
 pub(crate) const PREFERRED: f64 = 2.0;
 
-/// The same after the coarse stage, beyond which a start is ruled out: a finer stage changes less.
+/// Standard errors from which a start is ruled out after the coarse stage: finer stages change less.
 const RULED_OUT: f64 = 8.0;
 
-/// Difference in misfit, that of the search included, from which a start is worse on noisy surfaces. Symmetric poses of solids differ by up to
-/// 0.08, head and tail of hippocampi with noise of 2 % of the diagonal by 0.27 and more.
+/// Difference in misfit, including the misfit of the search, from which a start is worse on noisy surfaces.
 const WORSE_BY_SEARCH: f64 = 0.1;
 
-/// What one start leaves unexplained: the mean of `−ln` of the likelihood over each patch of both surfaces.
+/// Unexplained residual of a start: the mean of `−ln` of the likelihood over each patch of both surfaces.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Unexplained(Vec<f64>);
 
-/// Which of two starts explains more.
+/// Result of the comparison of two starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Evidence {
-    /// The first.
+    /// The first explains more.
     First,
-    /// The second.
+    /// The second explains more.
     Second,
-    /// They differ by no more than chance.
+    /// Their difference is within chance.
     Equal,
 }
 
 impl Unexplained {
-    /// Mean difference from `other` in its standard error: positive where `other` explains more.
+    /// Mean difference from `other` in standard errors; positive if `other` explains more.
     pub(crate) fn excess_over(&self, other: &Unexplained) -> f64 {
         let differences: Vec<f64> = self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect();
         let n = differences.len() as f64;
@@ -76,32 +76,32 @@ impl Unexplained {
     }
 }
 
-/// Whether the first of two correspondences explains more than the second one, which leaves more unexplained by `excess` standard errors and
-/// whose labels cost more by `lead`: the two measures count alike, as two independent numbers of variance 1.
+/// Whether the first of two correspondences is better than the second, which leaves more unexplained by `excess`
+/// standard errors and whose labels cost more by `lead`. Both count as independent numbers of variance 1.
 pub(crate) fn is_distinct(excess: f64, lead: f64) -> bool {
     (excess + lead) / std::f64::consts::SQRT_2 > DISTINCT
 }
 
-/// A start with its field after the first stage.
+/// A start with its field after the coarse stage.
 pub(crate) struct Candidate {
     pub compared: ComparedPose,
     pub pose: RigidTransform,
     pub state: State,
 }
 
-/// The pose that the displacement goes on from.
+/// The pose from which the displacement continues.
 pub(crate) struct Chosen {
     pub pose: RigidTransform,
-    /// The field of the first stage over it.
+    /// The field over it after the coarse stage.
     pub state: State,
     /// The starts that were compared, the chosen one first.
     pub compared: Vec<ComparedPose>,
 }
 
-/// Decides between the first of `candidates` and the others: another one of its handedness may explain more, or as much, and one of
-/// the other handedness more. The winner comes first. `None` of none.
+/// Compares the first of `candidates` with the others: another start of its handedness may explain as much or more, and
+/// a start of the other handedness may explain more. The winner comes first. `None` for an empty list.
 ///
-/// Cost that of a fine stage for each start that the coarse one does not rule out.
+/// Cost: a fine stage for each start that the coarse stage does not rule out.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -109,12 +109,12 @@ pub(crate) fn decided(
     displacement: &Displacement<'_>,
     mut candidates: Vec<Candidate>,
 ) -> Result<Option<Chosen>, MatchError> {
-    // A fit with one start, such as that in the other direction, has nothing to decide.
+    // A fit with one start, such as the fit in the other direction, has no rival.
     let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
     let coarse: Vec<Option<Unexplained>> =
         compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
     let mut chosen = 0;
-    // What the fine stage from the chosen one leaves unexplained, and the pose in which it ends.
+    // Unexplained residual after a fine stage from the chosen start, and the pose in which this stage ends.
     let mut of_chosen: Option<(Unexplained, RigidTransform)> = None;
     for k in 1..candidates.len() {
         let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
@@ -122,7 +122,8 @@ pub(crate) fn decided(
             continue;
         }
         let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
-        // Far beyond what a finer stage changes; and the question about the other handedness is whether it fits better.
+        // A difference this large is not undone by finer stages. A start of the other handedness counts only if it fits
+        // better.
         let coarse_excess = other.excess_over(own);
         if coarse_excess > if of_other_hand { 0.0 } else { RULED_OUT } {
             candidates[k].compared.finer = Finer::Outdone;
@@ -137,7 +138,8 @@ pub(crate) fn decided(
         let fate = match (own.0.evidence(&found.0), of_other_hand) {
             (_, false) if displacement.are_same(&own.1, &found.1, SAME_POSE_ANGLE) => Finer::Same,
             (Evidence::First, _) | (Evidence::Equal, true) => Finer::Outdone,
-            // Close to the surface every pose of two subjects explains much the same; from farther away one may explain less.
+            // At a fine scale all poses of two subjects explain about the same; at the coarse scale one may explain
+            // less.
             (Evidence::Equal, false)
                 if coarse_excess > DISTINCT
                     || is_worse_by_search(displacement, &candidates[chosen], &candidates[k]) =>
@@ -147,7 +149,7 @@ pub(crate) fn decided(
             (Evidence::Equal, false) => Finer::AsGood,
             (Evidence::Second, true) => Finer::Better,
             (Evidence::Second, false) => {
-                // What was as good as the one that is now outdone is outdone as well.
+                // Starts as good as the previous winner are outdone with it.
                 for candidate in &mut candidates[..k] {
                     if matches!(candidate.compared.finer, Finer::None | Finer::AsGood) {
                         candidate.compared.finer = Finer::Outdone;
@@ -167,13 +169,13 @@ pub(crate) fn decided(
     Ok(candidates.into_iter().next().map(|Candidate { pose, state, .. }| Chosen { pose, state, compared }))
 }
 
-/// Whether the surfaces are noisy, so that single points tell little, and the search, which compares means over patches, has found the second
-/// start worse.
+/// Whether the surfaces are noisy, so that single points carry little evidence, and the search has found a higher
+/// misfit for the second start.
 fn is_worse_by_search(displacement: &Displacement<'_>, first: &Candidate, second: &Candidate) -> bool {
     displacement.source.coarsening > 1.0 && second.compared.misfit > first.compared.misfit + WORSE_BY_SEARCH
 }
 
-/// What the field of the coarse stage leaves unexplained, at the scale at which that stage ends.
+/// Unexplained residual of the field of the coarse stage, at the scale at which that stage ends.
 fn unexplained_coarsely(displacement: &Displacement<'_>, candidate: &Candidate) -> Option<Unexplained> {
     let n = displacement.options.n_samples[0];
     let (thinned, target) = (displacement.source.thinned(n), displacement.target.thinned(n));
@@ -189,7 +191,7 @@ fn unexplained_coarsely(displacement: &Displacement<'_>, candidate: &Candidate) 
     Some(Unexplained(patches))
 }
 
-/// What a fine stage leaves unexplained, and the pose in which it ends; `None` where a number is not finite.
+/// Unexplained residual after a fine stage, and the pose in which it ends; `None` if a number is not finite.
 fn unexplained_finely(
     displacement: &Displacement<'_>,
     candidate: &Candidate,
@@ -199,14 +201,14 @@ fn unexplained_finely(
     Ok(unexplained(displacement, &fine.moved(), candidate.compared.mirrored).map(|unexplained| (unexplained, end)))
 }
 
-/// What remains unexplained with the vertices of the source at `moved`, by a pose that may have mirrored it.
+/// Unexplained residual with the vertices of the source at `moved`; `mirrored`: whether the pose mirrors the source.
 pub(crate) fn unexplained(
     displacement: &Displacement<'_>,
     moved: &[Point3<f64>],
     mirrored: bool,
 ) -> Option<Unexplained> {
     let thinned = displacement.source.thinned(COMPARISON_SAMPLES);
-    // At the scale of the sampling, or of the noise.
+    // At the scale of the sampling, or of the noise if that is larger.
     let scale_mm = COMPARISON_SCALE * displacement.lengths.root_mm * displacement.source.coarsening;
     let kernel = comparison_kernel(scale_mm);
     let placed = placed(displacement, moved, mirrored, &thinned)?;
@@ -220,7 +222,7 @@ pub(crate) fn unexplained(
     Some(Unexplained(of_source))
 }
 
-/// Means of `values` over patches of a surface with these points, weighted by their areas.
+/// Means of `values` over patches of a surface with these points, weighted by area.
 fn patch_means(points: &[Point3<f64>], areas: &[f64], values: &[f64]) -> Vec<f64> {
     let center = points.iter().fold(Vector3::zeros(), |sum, p| sum + p.coords) / points.len() as f64;
     let mut sampling = FarthestPoints::new(points, Point3::from(center));
@@ -249,7 +251,7 @@ mod tests {
         assert!(wrong <= 3, "{wrong} of 300");
         assert_eq!(drawn(0.5).evidence(&drawn(0.0)), Evidence::Second);
         assert_eq!(drawn(0.0).evidence(&drawn(0.5)), Evidence::First);
-        // A start compared with itself.
+        // A start has no excess over itself.
         let same = drawn(0.0);
         assert_eq!(same.evidence(&same), Evidence::Equal);
     }

@@ -1,11 +1,10 @@
-//! Nearly round surfaces: how far answers from starts that are rotated about an axis lie apart.
+//! Nearly round surfaces: spread of the answers from starts that are rotated about an axis.
 //!
-//! How far a surface of revolution is rotated about its axis cannot be seen, and that of one that is nearly so hardly can. A smooth
-//! deformation takes up a wrong rotation, and each start ends at an answer of its own: of four synthetic beans with warps of 8 %,
-//! starts rotated by 20° about the long axis ended 8° to 23° from the pose they were rotated from, the others 3° to 8°, with misfits
-//! that differed by 0.02 at most. The posterior of one field knows its own surroundings alone. So where the misfit hardly rises with
-//! a rotation, the field is fitted from several, and their spread, each weighted by how probable it is, is part of the uncertainty.
-//! Hippocampi with the same warps come to one answer from all of them, within 1.5°.
+//! The rotation of a surface of revolution about its axis cannot be determined, and that of a nearly round surface
+//! hardly can. A smooth deformation compensates for a wrong rotation, so that each start ends at a different answer
+//! with nearly the same misfit (docs/findings.md). The posterior of one field covers only the surroundings of its own
+//! answer. So if a rotation hardly raises the misfit, the field is fitted from several rotations, and their spread,
+//! weighted by probability, is added to the variance.
 
 use super::coarse::{coarse_alone, screening};
 use super::displacement::Displacement;
@@ -20,19 +19,19 @@ use homolog_registration::RigidTransform;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Rotations about the axis from which the field is fitted, degrees; of ten beans the answer was wrong by more in none.
+/// Rotations about the axis from which the field is fitted, degrees. The first [`PROBED`] of them decide whether it is
+/// fitted from all.
 const ANGLES_DEG: [f64; 5] = [0.0, -20.0, 20.0, -40.0, 40.0];
-/// Those of them by which it is known whether the misfit rises.
+/// Rotations at which the misfit is evaluated first.
 const PROBED: usize = 3;
-/// Mean rise of the misfit at the probed angles below which the rotation is poorly determined: of four beans it was 0.02 at most, of
-/// three hippocampi with warps of 8 % and two pairs of subjects 0.026 at least. Where it lies between, time is lost, as the fits decide.
+/// Mean rise of the misfit at the probed angles below which the rotation is poorly determined.
 const FLAT: f64 = 0.024;
 
-/// Mean squared distance, at each of the `points` of the source, of fits from `pose` rotated about the axis about which the
-/// source is most nearly round from the mean of these fits, mm². `None` where the misfit shows that the rotation is determined,
-/// or where a number is not finite.
+/// Mean squared distance, at each of the `points` of the source, of several fits from their mean, mm². The fits begin
+/// at `pose`, rotated about the axis about which the source is most nearly round. `None` if the misfit determines the
+/// rotation, or if a number is not finite.
 ///
-/// Cost that of six steps on few points where it is determined, otherwise five times that of the first three stages.
+/// Cost: six steps on few points if the rotation is determined, otherwise five times the first three stages.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -64,7 +63,7 @@ pub(crate) fn spread_of_rotations(
     Ok(spread(&fits, displacement.options))
 }
 
-/// Whether the misfit of the first of the `starts` is hardly lower than the mean of those of the others.
+/// Whether the mean misfit of the other starts is less than [`FLAT`] above that of the first.
 fn is_flat(displacement: &Displacement<'_>, starts: &[RigidTransform]) -> bool {
     let Some(found) = starts.par_iter().map(screening(displacement)).collect::<Option<Vec<f64>>>() else {
         return false;
@@ -73,9 +72,9 @@ fn is_flat(displacement: &Displacement<'_>, starts: &[RigidTransform]) -> bool {
     others.iter().sum::<f64>() / (others.len() as f64) < found[0] + FLAT
 }
 
-/// Mean squared distance of `fits` from their mean at each point, mm², each fit, its misfit and where it moves the points, weighted by its
-/// probability. A misfit is the mean of `−ln` of a likelihood, and a surface counts as so many independent observations as in the
-/// coarse stage.
+/// Mean squared distance of `fits`, each a misfit and moved points, from their mean at each point, mm², weighted by
+/// their probability. A misfit is the mean of `−ln` of a likelihood; the number of independent observations of a
+/// surface is that of the coarse stage.
 fn spread(fits: &[(f64, Vec<Point3<f64>>)], options: &DisplacementOptions) -> Option<Vec<f64>> {
     let least = fits.iter().map(|fit| fit.0).fold(f64::INFINITY, f64::min);
     let weights: Vec<f64> = fits.iter().map(|fit| (-options.density[0] * (fit.0 - least)).exp()).collect();

@@ -1,31 +1,29 @@
-//! From rigid poses to the source deformed by a smooth displacement field. This file alone calls all stages.
+//! From rigid poses to the source deformed by a smooth displacement field. Only this file calls all stages.
 //!
 //! The source is moved by `T(p) = R p + t + u(p)` with a field `u` of [`homolog_registration::deformation`]: a
-//! translation, a linear part and a Gaussian process of width 0.3 diagonals. Expectation and maximization alternate as in
-//! coherent point drift: target vertices are softly assigned to moved source vertices by distance, normals and curvature
-//! features, whose variances are estimated in every step; then the field is fitted to the means of the assigned points.
+//! translation, a linear part and a Gaussian process of width 0.3 diagonals. Expectation and maximization alternate as
+//! in coherent point drift: target vertices are softly assigned to moved source vertices by distance, normals and
+//! curvature features, whose variances are estimated in every step; then the field is fitted to the means of the
+//! assigned points.
 //!
-//! 1. **Coarse**, on thinned surfaces, `σ` from 5 % to 4 % of the diagonal, from the two best poses of each handedness
-//!    after a few steps from every pose. The pose of the lowest misfit is kept, so that a pose with head and tail
-//!    exchanged, or one that mirrors, is compared after its deformation.
+//! 1. **Coarse**, on thinned surfaces, `σ` from 5 % to 4 % of the diagonal, from the best poses of each handedness
+//!    after a few steps from every pose. The pose of the lowest misfit is kept, so poses with head and tail exchanged,
+//!    and poses that mirror, are compared after their deformation.
 //! 2. **Middle**, on all vertices, to 2.5 % of the diagonal.
 //! 3. **Fine**: along the normal a vertex is pulled towards the closest point of the target, with the small variance of
-//!    points on surfaces; across the normal a tenth of the assignment's weight is kept. So the surface can slide, driven by
-//!    the smoothness of the field and the pulls along normals all around. Without that freedom the assignment, which
-//!    favors the present place of a vertex, holds every vertex back: in three hard cases of 8 % warps 47 to 89 % of the
-//!    vertices were within one edge of the truth, with it 94 to 96 %.
-//! 4. **Local**: between closed surfaces of two subjects the field stays stiff. Otherwise, where the residual heights show
-//!    displacement over shorter distances, a second kernel is added, of the width and variance under which they are most
-//!    probable ([`super::local`]). On warps with bumps of 0.06 to 0.09 diagonals 0.97 of the vertices are within one edge with it,
-//!    0.81 without. Otherwise:
-//! 5. **Settling**: copies of one anatomy come within the sampling noise of each other. Two subjects do not: what remains is
-//!    individual anatomy, which is correlated over millimeters. The residual along the normals (0.08 to 0.10 mm for
-//!    copies, 0.24 to 0.29 mm for two subjects) sets the weight of the observations.
-//! 6. **Back**: closed surfaces of two subjects are fitted in the other direction as well, and the mean of the two maps is
-//!    the answer ([`super::both_ways`]).
+//!    points on surfaces; across the normal a tenth of the assignment's weight is kept. So the surface can slide,
+//!    driven by the smoothness of the field and the pulls along the normals. The full weight of the assignment, which
+//!    favors the present place of a vertex, would prevent this.
+//! 4. **Local**: not for closed surfaces of two subjects, whose field stays stiff. If the residual heights show
+//!    narrower displacement, a second kernel of the most probable width and variance is added ([`super::local`]).
+//! 5. **Settling**, if no second kernel was added: the residual along the normals sets the weight of the observations.
+//!    It is the sampling noise for copies of one anatomy. Between two subjects it contains individual anatomy, which is
+//!    correlated over millimeters.
+//! 6. **Reverse**: closed surfaces of two subjects are fitted in the other direction as well, and the mean of the two
+//!    maps is the answer ([`super::both_ways`]).
 //!
-//! Where the surfaces do not agree after all that, or where a mirror image fits better, tubular surfaces are matched straightened
-//! ([`super::straightened`]), and the stages are run once more from correspondences of bending-invariant forms ([`super::isometry`]).
+//! If the surfaces then do not agree, or a mirror image fits better, tubular surfaces are matched straightened
+//! ([`super::straightened`]), and the stages are run from correspondences of near isometries ([`super::isometry`]).
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010; Hirose, "A
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance
@@ -67,35 +65,35 @@ use nalgebra::Point3;
 /// The source deformed onto the target.
 pub(crate) struct Fitted {
     pub deformed: Deformed,
-    /// The starts that were compared, the one that was kept first.
+    /// The starts that were compared, the one kept first.
     pub compared: Vec<ComparedPose>,
 }
 
-/// What is the same in both directions, and for straightened surfaces.
+/// Parameters that are the same in both directions, and for straightened surfaces.
 #[derive(Clone, Copy)]
 struct Request<'a> {
     allow_reflection: bool,
     options: &'a DisplacementOptions,
     observer: &'a FitTrace<'a>,
-    /// The misfit of another answer: no start that has not less is followed to its end.
+    /// The misfit of another answer: if no start has a lower one, none is followed to its end.
     to_beat: f64,
 }
 
-/// The source deformed onto the target, from the best of the rigid `poses`. A pose that mirrors takes part in
-/// the comparison, but is kept only with `allow_reflection`.
+/// The source deformed onto the target, from the best of the rigid `poses`. Poses that mirror are compared too, but
+/// kept only with `allow_reflection`.
 ///
-/// Closed surfaces of two subjects are fitted from the one that is more spread out, and the map in the other direction is the
-/// inverse of it: there and back is the same place.
+/// Closed surfaces of two subjects are fitted from the one that is more spread out, and the map in the other direction
+/// is the inverse, so both directions give the same correspondences.
 ///
-/// `None` if no pose may be kept, or where numbers that are not finite make a fit impossible. The same bits on any number of
+/// `None` if no pose may be kept, or if a number is not finite. The result is the same to the bit on any number of
 /// threads.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
 ///
 /// # Cost
-/// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 30 for the defaults and 140 with a second kernel; twice
-/// that for two subjects.
+/// `O(steps · n · (pairs + M²))` for `M` functions of the field, about 30 for the defaults and 140 with a second
+/// kernel; twice that for two subjects.
 pub(crate) fn displace(
     surfaces: &Surfaces<'_>,
     prepared: SmoothPair,
@@ -112,8 +110,8 @@ pub(crate) fn displace(
     }
 }
 
-/// [`from_source`] for a target that is a part of the source: the part is deformed onto the whole, of which a field would have to press
-/// the rest into the part, and the answer is the inverse map.
+/// [`from_source`] for a target that is a part of the source. The part is deformed onto the whole and the map inverted:
+/// a field from the whole would have to press the rest of it into the part.
 fn from_part(
     surfaces: &Surfaces<'_>,
     (source, target): SmoothPair,
@@ -131,8 +129,9 @@ fn from_part(
     Ok(deformed.map(|deformed| Fitted { deformed, compared }))
 }
 
-/// The source deformed onto the target by the first of these that may stand: the fit in the other direction, the rigid motion of a copy,
-/// the answer for straightened tubes, that from a near isometry, the fit in this direction. `None` too where no pose beats the misfit that `request` states.
+/// The source deformed onto the target by the first of these that is acceptable: the fit in the other direction, the
+/// rigid motion of a copy, the answer for straightened tubes, the answer from a near isometry, the fit in this
+/// direction. `None` also if no pose has a lower misfit than `request.to_beat`.
 fn from_source(
     surfaces: &Surfaces<'_>,
     prepared: SmoothPair,
@@ -147,7 +146,7 @@ fn from_source(
     }
     let mut reverse = reverse_of_subjects(surfaces, &forward, &pose)?;
     let evidence = Evidence::of(&compared, surfaces);
-    // Whether another start is needed shows before a field is narrow enough to hide that it does not lead to the truth.
+    // Doubts are checked before the field is narrow: a narrow field makes surfaces agree even from a wrong start.
     if evidence.may_stand()
         && let Some(reverse) = reverse.take_if(|reverse| !reverse.is_doubtful())
     {
@@ -175,9 +174,10 @@ fn from_source(
     };
     let refined = match (route, reverse) {
         (Some(route), _) => {
-            // Rigid poses say nothing of the handedness of a surface that bends.
+            // The misfits of rigid poses do not show the handedness of a bent surface.
             compared.retain(|rigid| !(rigid.mirrored && route.is_of_same_handedness));
-            // They were outdone by the misfit at the scale of the sampling; a mirror image that fits better still does.
+            // The near isometry has a lower misfit at the scale of the sampling than all rigid poses except mirror
+            // images that fit better.
             let outdone = |rigid: &&mut ComparedPose| rigid.finer != Finer::Better;
             compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = Finer::Outdone);
             compared = route.compared.into_iter().chain(compared).collect();
@@ -194,7 +194,7 @@ fn from_source(
     Ok(deformed.map(|deformed| Fitted { deformed, compared }))
 }
 
-/// What the stages of the source onto the target share. `None` where a number is not finite.
+/// Values that all stages from the source onto the target share. `None` if a number is not finite.
 fn shared<'a>(
     surfaces: &Surfaces<'_>,
     (smooth_source, smooth_target): SmoothPair,
@@ -217,7 +217,7 @@ fn shared<'a>(
     }))
 }
 
-/// The fit in the other direction of closed surfaces of two subjects of which the target is more spread out.
+/// The fit in the other direction, for closed surfaces of two subjects whose target is more spread out.
 fn reverse_of_subjects<'a>(
     surfaces: &Surfaces<'_>,
     forward: &'a Displacement<'_>,
@@ -229,9 +229,9 @@ fn reverse_of_subjects<'a>(
     Ok(reverse_fit(forward, surfaces, pose)?.filter(ReverseFit::is_of_two_subjects))
 }
 
-/// What the first stage shows.
+/// Findings of the coarse stage.
 struct Evidence {
-    /// Whether the chosen pose mirrors: neither straightened surfaces nor near isometries are tried for it.
+    /// Whether the chosen pose mirrors; straightened surfaces and near isometries are then not tried.
     is_mirrored: bool,
     mirror_image_fits_better: bool,
     /// Whether both surfaces have limbs, and the chosen pose does not mirror.
@@ -248,13 +248,14 @@ impl Evidence {
         }
     }
 
-    /// Whether an answer from the chosen pose may stand without other starts.
+    /// Whether an answer from the chosen pose is acceptable without other starts.
     fn may_stand(&self) -> bool {
         !self.mirror_image_fits_better && !self.branching
     }
 }
 
-/// The source moved rigidly if open surfaces are copies. They need no other start and no field, whatever one does to them at their rim.
+/// The source moved rigidly if open surfaces are copies. Copies need no other start, and a field would distort them at
+/// their rim.
 fn as_copies(
     surfaces: &Surfaces<'_>,
     forward: &Displacement<'_>,
@@ -268,7 +269,7 @@ fn as_copies(
     let alignment = forward.alignment(surfaces.target.mean_edge_length());
     let found = alignment.rigid_part(surfaces.source, wide, pose.is_reflection(), surfaces.open)?;
     let Some(RigidPart { transform, copies: true }) = found else { return Ok(None) };
-    // Another pose is as good if it makes them copies too.
+    // Another pose is as good if it is also one of copies.
     for other in &mut compared[1..] {
         let is_other = alignment.copies_elsewhere(&other.origin.rigid(poses), &transform)?;
         other.finer = if is_other { Finer::AsGood } else { Finer::Outdone };
@@ -276,7 +277,8 @@ fn as_copies(
     Ok(Some(moved_rigidly(forward, surfaces, transform, fine.residual_mm)))
 }
 
-/// Whether surfaces of which the source is moved to `moved` may agree better from another start: less than their noise explains.
+/// Whether surfaces, the source at `moved`, may agree better from another start: whether they agree less than their
+/// noise explains.
 fn is_doubtful(surfaces: &Surfaces<'_>, forward: &Displacement<'_>, moved: &[Point3<f64>]) -> bool {
     let (found, settings) = (agreement(forward, moved), &forward.options.route);
     if !found.is_doubtful(settings) || forward.source.coarsening <= 1.0 {
@@ -287,7 +289,7 @@ fn is_doubtful(surfaces: &Surfaces<'_>, forward: &Displacement<'_>, moved: &[Poi
         || repeatability(surfaces.source, &forward.source, root_mm),
         || repeatability(surfaces.target, &forward.target, root_mm),
     );
-    // Two noisy surfaces of one shape are correlated by no more than this.
+    // The noise of two surfaces of one shape limits the correlation of their curvatures to this value.
     let most = (of_source * of_target).sqrt().max(f64::MIN_POSITIVE);
     Agreement { curvature: found.curvature / most, ..found }.is_doubtful(settings)
 }
@@ -295,7 +297,7 @@ fn is_doubtful(surfaces: &Surfaces<'_>, forward: &Displacement<'_>, moved: &[Poi
 /// Whether tubular surfaces are straightened.
 enum Straightening {
     Never,
-    /// If the straightness of their center lines differs by so much.
+    /// If the straightness of their center lines differs by this much.
     IfBentBy(f64),
     Always,
 }
@@ -309,13 +311,13 @@ impl Straightening {
         settings: &RouteSettings,
     ) -> Straightening {
         let of_one_shape = residual_mm < settings.two_subjects * surfaces.lengths.sampling_mm;
-        // What has limbs is no tube.
+        // Surfaces with limbs are not tubes.
         if evidence.is_mirrored || evidence.branching || surfaces.bending == Bending::None {
             Straightening::Never
         } else if doubtful {
             Straightening::Always
         } else if of_one_shape && differ_in_spread(surfaces) {
-            // Of one shape, surfaces that agree may still be bent against each other.
+            // Surfaces of one shape may agree and still be bent against each other.
             Straightening::IfBentBy(settings.bent)
         } else {
             Straightening::Never
@@ -323,8 +325,9 @@ impl Straightening {
     }
 }
 
-/// The source deformed onto the target by way of both straightened; `None` if one is not tubular. Search of the pose, field, comparison
-/// with mirror images and fit back are those of the surfaces themselves. Cost: that of a match of both surfaces.
+/// The source deformed onto the target by a match of both surfaces straightened; `None` if one is not tubular. Pose
+/// search, field, comparison with mirror images and reverse fit are the same as for the surfaces themselves. Cost: a
+/// match of both surfaces.
 fn by_tubes(
     surfaces: &Surfaces<'_>,
     straightening: Straightening,
@@ -338,7 +341,7 @@ fn by_tubes(
     let tubes = Tubes::of(surfaces);
     checkpoint(request.observer)?;
     let Some(tubes) = tubes else { return Ok(None) };
-    // A target that is a part has become the source.
+    // If the target is a part, the roles have been swapped.
     let poses = tubes.poses(surfaces.part.is_some());
     checkpoint(request.observer)?;
     let straight = tubes.straight(surfaces);
@@ -347,10 +350,10 @@ fn by_tubes(
     Ok(found.map(|(deformed, compared)| Fitted { deformed, compared }))
 }
 
-/// How far the fit from the chosen pose has come.
+/// The fit from the chosen pose, after some or all stages.
 enum RigidEnd {
     Fine(Fine),
-    /// Through all stages; `None` where a number was not finite.
+    /// After all stages; `None` if a number was not finite.
     Refined(Option<Refined>),
 }
 
@@ -366,14 +369,14 @@ impl RigidEnd {
 /// An answer from a near isometry.
 struct IsometryRoute {
     refined: Refined,
-    /// The correspondences that were compared, the one that was kept first.
+    /// The correspondences that were compared, the one kept first.
     compared: Vec<ComparedPose>,
-    /// Whether the energy is no higher than with the source mirrored; so it is for a body whose left and right are alike.
+    /// Whether the energy is no higher than that of the mirrored source, which also holds for a body whose left and
+    /// right are alike.
     is_of_same_handedness: bool,
 }
 
-/// The best answer from the forms of both surfaces, if its misfit at the scale of the sampling is clearly lower than where the chosen pose
-/// leads.
+/// The best answer from near isometries, if it explains the surfaces clearly better than the fit from the chosen pose.
 fn by_isometry(
     surfaces: &Surfaces<'_>,
     forward: &Displacement<'_>,
@@ -384,14 +387,15 @@ fn by_isometry(
     let (Some(source), Some(target)) = ((surfaces.side_of)(Role::Source), (surfaces.side_of)(Role::Target)) else {
         return Ok((RigidEnd::Fine(fine), None));
     };
-    // Surfaces that agree are as close as they come only after the local stage.
+    // The misfit of surfaces that agree is at its lowest only after the local stage.
     let end = if doubtful { RigidEnd::Fine(fine) } else { RigidEnd::Refined(refined_from(forward, fine)?) };
     let reached = match &end {
         RigidEnd::Refined(Some(found)) => found.moved(&forward.source.mesh),
         RigidEnd::Refined(None) | RigidEnd::Fine(_) => wide,
     };
     let low = low_energies(forward, source, target, &reached)?;
-    // No other correspondence is likelier; between limbs one along the surface is truer all the same.
+    // The present answer has the lowest energy. Surfaces with limbs go on: a fit that is smooth along the surface is
+    // more accurate for them.
     if low.is_answer_lowest && !branching {
         return Ok((end, None));
     }

@@ -1,16 +1,14 @@
-//! How fast the scale of a stage falls: a step is repeated for as long as it still moves the surface.
+//! How fast the scale of a stage falls: a step is repeated while it still moves the surface.
 //!
-//! Pairs of hippocampi settle within few steps at each scale, surfaces that are bent apart take many. With a fixed number of
-//! steps either the first are matched slowly or the others before they have come close: of capsules bent by 120 degrees half as
-//! many vertices were within one edge without repetition (0.53 instead of 0.93).
+//! Pairs of hippocampi settle within few steps at each scale, surfaces bent against each other need many. A fixed
+//! number of steps would be slow for the former or too few for the latter.
 
 use homolog_registration::alignment::progress_to_end;
 use nalgebra::Point3;
 
-/// Root mean square movement in a step, in roots of the area, from which it is repeated. With 0.005 pairs of hippocampi took a
-/// twelfth more time and were as accurate; of capsules bent by 120 degrees 0.94 of the vertices were within one edge instead of 0.93.
+/// Root mean square movement in a step above which it is repeated, in roots of the area.
 const SETTLED: f64 = 0.006;
-/// Repetitions in each stage, at most.
+/// Most repetitions in each stage.
 const REPETITIONS: [u32; 4] = [10, 20, 10, 0];
 
 /// The steps of one stage.
@@ -18,24 +16,24 @@ pub(crate) struct Schedule {
     /// The next step, from 0.
     step: u32,
     steps: u32,
-    /// Repetitions that are left.
+    /// Remaining repetitions.
     spare: u32,
     settled_mm: f64,
     is_settled: bool,
 }
 
 impl Schedule {
-    /// `steps` over the scales of a stage, and at most so many repetitions, between surfaces of this root of the area, mm.
+    /// `steps` over the scales of a stage, with at most this many `repetitions`; `root_mm` is the root of the area, mm.
     pub(crate) fn new(steps: u32, repetitions: u32, root_mm: f64) -> Schedule {
         Schedule { step: 0, steps, spare: repetitions, settled_mm: SETTLED * root_mm, is_settled: true }
     }
 
-    /// The schedule of a stage, from 0, in so many steps.
+    /// The schedule of `stage`, counted from 0.
     pub(crate) fn of_stage(stage: usize, steps: u32, root_mm: f64) -> Schedule {
         Schedule::new(steps, REPETITIONS[stage], root_mm)
     }
 
-    /// The share of the stage, from 0 to 1, at which the next step is made; `None` at its end.
+    /// The progress of the stage, from 0 to 1, at which the next step is made; `None` at the end.
     pub(crate) fn next(&mut self) -> Option<f64> {
         if !self.is_settled && self.spare > 0 {
             self.spare -= 1;
@@ -46,7 +44,7 @@ impl Schedule {
         (step < self.steps).then(|| progress_to_end(step, self.steps))
     }
 
-    /// Takes note of where the step has moved the points of a surface.
+    /// Records how far a step has moved the points of a surface.
     pub(crate) fn note(&mut self, before: &[Point3<f64>], after: &[Point3<f64>]) {
         let squares: f64 = before.iter().zip(after).map(|(p, q)| (p - q).norm_squared()).sum();
         self.is_settled = squares <= before.len() as f64 * self.settled_mm * self.settled_mm;
@@ -57,7 +55,7 @@ impl Schedule {
 mod tests {
     use super::*;
 
-    /// The shares of a stage whose steps move the surface so far each, in tolerances.
+    /// The progress of each step of a stage whose steps move the surface by `movements`, in tolerances.
     fn shares(steps: u32, repetitions: u32, movements: &[f64]) -> Vec<f64> {
         let mut schedule = Schedule::new(steps, repetitions, 1.0);
         let mut movements = movements.iter().copied().chain(std::iter::repeat(0.0));

@@ -1,4 +1,4 @@
-//! From an answer for straightened tubes to one for the tubes themselves.
+//! From an answer for straightened tubes to an answer for the original tubes.
 
 use super::along;
 use super::deformed::Deformed;
@@ -11,8 +11,8 @@ use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// The surfaces deformed as `deformed` deforms the straightened ones, and the starts `compared` from the `poses` of these, the one that
-/// was kept first. `None` where a number is not finite.
+/// Converts `deformed`, a deformation of straightened surfaces, to a deformation of the original ones, and the starts
+/// `compared` from their `poses`, the one kept first. `None` if a number is not finite.
 pub(crate) fn bent_back(
     surfaces: &Surfaces<'_>,
     tubes: &Tubes<'_>,
@@ -22,7 +22,7 @@ pub(crate) fn bent_back(
 ) -> Option<(Deformed, Vec<ComparedPose>)> {
     let (source, target) = (&tubes.source, &tubes.target);
     let own = target.bent(&deformed.moved);
-    // What is straightened keeps its handedness.
+    // Straightening keeps the handedness.
     let rigid = |images: &[Point3<f64>], mirrored: bool| {
         let areas = vertex_areas(surfaces.source);
         absolute_orientation_of(surfaces.source.vertices(), images, Some(&areas), mirrored).ok()

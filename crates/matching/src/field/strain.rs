@@ -1,23 +1,23 @@
-//! How a map of a surface stretches it.
+//! Stretch of a surface under a map.
 
 use homolog_mesh::SurfaceMesh;
 use nalgebra::Point3;
 
-/// A triangle that is drawn out further than this counts as drawn out so far: one that has collapsed to a line would outweigh
-/// all others.
+/// Largest ratio `σ₁/σ₂` of the stretches of a triangle; larger ratios count as this one. A triangle collapsed to a
+/// line would outweigh all others.
 const MAX_DRAWN_OUT: f64 = 10.0;
 
-/// How the map of a triangle stretches it; `σ₁ ≥ σ₂` are its singular values.
+/// Stretch of a triangle under a map with singular values `σ₁ ≥ σ₂`.
 struct Stretch {
     /// Twice the area of the triangle, mm².
     doubled_area: f64,
-    /// `ln(σ₁/σ₂)`, at most that of [`MAX_DRAWN_OUT`].
+    /// `ln(σ₁/σ₂)`, at most `ln` of [`MAX_DRAWN_OUT`].
     drawn_out: f64,
-    /// `σ₁ σ₂`: its area afterwards over that before.
+    /// `σ₁ σ₂`: ratio of its area after and before the map.
     growth: f64,
 }
 
-/// The stretch of every triangle of `mesh` that has an area, where its vertices are moved to `moved`.
+/// The stretch of every triangle of `mesh` that has an area, for the map of the vertices to `moved`.
 fn stretches(mesh: &SurfaceMesh, moved: &[Point3<f64>]) -> impl Iterator<Item = Stretch> {
     mesh.triangles().into_iter().filter_map(move |corners| {
         let form = |points: &[Point3<f64>]| {
@@ -39,9 +39,9 @@ fn stretches(mesh: &SurfaceMesh, moved: &[Point3<f64>]) -> impl Iterator<Item = 
     })
 }
 
-/// How far `moved`, places of the vertices of `mesh`, is from a map that keeps angles: the mean over the area of `mesh` of
-/// `ln(σ₁/σ₂)`, where `σ₁ ≥ σ₂` are the singular values of the map of a triangle (Hormann, Greiner 2000 take their ratio). 0 for
-/// similarities, 0.69 where every triangle is drawn out to twice its width.
+/// Mean angular distortion of the map of the vertices of `mesh` to `moved`: the mean over the area of `mesh` of
+/// `ln(σ₁/σ₂)`, where `σ₁ ≥ σ₂` are the singular values of the map of a triangle (Hormann, Greiner 2000 take their
+/// ratio). 0 for similarities, 0.69 if every triangle is stretched to twice its width.
 ///
 /// Cost `O(n)`; sums in order of the triangles.
 pub(crate) fn distortion(mesh: &SurfaceMesh, moved: &[Point3<f64>]) -> f64 {
@@ -53,9 +53,9 @@ pub(crate) fn distortion(mesh: &SurfaceMesh, moved: &[Point3<f64>]) -> f64 {
     if total > 0.0 { sum / total } else { 0.0 }
 }
 
-/// How far `moved`, places of the vertices of `mesh`, is from a similarity: the mean over the area of `mesh` of
-/// `ln²(σ₁/s) + ln²(σ₂/s)`, the square of the logarithmic (Hencky) strain, where `s²` is by how much the whole area grows. 0 for
-/// similarities.
+/// Mean squared strain of the map of the vertices of `mesh` to `moved`, relative to a similarity: the mean over the
+/// area of `mesh` of `ln²(σ₁/s) + ln²(σ₂/s)`, the squared logarithmic (Hencky) strain, where `s²` is the growth of the
+/// whole area. 0 for similarities.
 ///
 /// Cost `O(n)`; sums in order of the triangles.
 pub(crate) fn squared_strain(mesh: &SurfaceMesh, moved: &[Point3<f64>]) -> f64 {
@@ -68,7 +68,7 @@ pub(crate) fn squared_strain(mesh: &SurfaceMesh, moved: &[Point3<f64>]) -> f64 {
     let most = MAX_DRAWN_OUT.ln();
     let squares = stretches(mesh, moved).map(|stretch| {
         let grown = (stretch.growth * before / after).ln().clamp(-most, most);
-        // The sum of the two squares by the sum and the difference of the logarithms.
+        // The sum of two squares, from the sum and the difference of the logarithms.
         stretch.doubled_area * 0.5 * (grown * grown + stretch.drawn_out * stretch.drawn_out)
     });
     squares.sum::<f64>() / before
@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn the_strain_of_a_stretch_along_one_axis_is_that_of_a_plane() {
-        // A strip in the plane, drawn out by 1.5 along x alone: the two logarithms less their mean are ± ln(1.5)/2.
+        // A strip in the plane, stretched by 1.5 along x only: the two logarithms minus their mean are ± ln(1.5)/2.
         let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 3.0], [5.0, 2.0]].map(|[x, y]| Point3::new(x, y, 1.0));
         let mesh =
             SurfaceMesh::new(corners.to_vec(), homolog_mesh::FaceArity::Triangle, vec![0, 1, 2, 1, 3, 2]).unwrap();

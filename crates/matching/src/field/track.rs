@@ -1,4 +1,4 @@
-//! One step of a field: where the source is, and what of the target is assigned to it.
+//! One step of a field: the place of the source, and the target points assigned to it.
 
 use super::base::Base;
 use super::displacement::Displacement;
@@ -9,24 +9,24 @@ use homolog_registration::alignment::{Assignment, AssignmentKernel, AssignmentTa
 use homolog_registration::deformation::{FittedField, Observation};
 use nalgebra::{Point3, Vector3};
 
-/// The source after its base, at all vertices, and the functions of the field that moves it on.
+/// The vertices of the source after the base, and the functions of the field that moves them on.
 pub(crate) struct Track {
     pub base: Base,
     /// The vertices after the base, mm.
     start: Vec<Point3<f64>>,
     /// Every function at every vertex.
     values: Mat<f64>,
-    /// The displacements that landmarks ask for.
+    /// Displacements to the landmarks.
     guided: Vec<Observation>,
 }
 
-/// The thinned vertices of a source that was moved.
+/// The thinned vertices of a moved source.
 pub(crate) struct Placed {
     pub points: Vec<Point3<f64>>,
     pub normals: Vec<Vector3<f64>>,
 }
 
-/// The thinned vertices of a source that was moved, and what is assigned to them.
+/// The thinned vertices of a moved source, and the target points assigned to them.
 pub(crate) struct Assigned {
     pub points: Vec<Point3<f64>>,
     pub normals: Vec<Vector3<f64>>,
@@ -41,7 +41,7 @@ impl Track {
         Track { start, values, guided: displacement.guides.observations(&base), base }
     }
 
-    /// The same source on the same base, moved by a field of other functions.
+    /// The same source on the same base, for a field of other functions.
     pub(crate) fn with_functions_of(&self, displacement: &Displacement<'_>) -> Track {
         Track {
             base: self.base.clone(),
@@ -66,14 +66,14 @@ impl Track {
         Mat::from_fn(thinned.vertices.len(), self.values.ncols(), |i, k| self.values[(thinned.vertices[i], k)])
     }
 
-    /// `observed`, with the landmarks after them.
+    /// `observed`, followed by the landmarks.
     pub(crate) fn with_guides(&self, mut observed: Vec<Observation>) -> Vec<Observation> {
         observed.extend_from_slice(&self.guided);
         observed
     }
 }
 
-/// What of `target` is assigned to the source with its vertices at `moved`, [`placed`].
+/// The points of `target` assigned to the source with its vertices at `moved`, see [`placed`].
 pub(crate) fn assigned(
     displacement: &Displacement<'_>,
     moved: &[Point3<f64>],
@@ -88,8 +88,9 @@ pub(crate) fn assigned(
     Some(Assigned { points, normals, found })
 }
 
-/// The vertices of `thinned` of the source with its vertices at `moved`. Normals are those of the whole moved surface,
-/// outwards after a `mirrored` pose too, which turns all faces inside out. `None` where a number is not finite.
+/// The vertices of `thinned` of the source with its vertices at `moved`. Normals are those of the whole moved surface
+/// and point outwards, also after a `mirrored` pose, which turns all faces inside out. `None` if a number is not
+/// finite.
 pub(crate) fn placed(
     displacement: &Displacement<'_>,
     moved: &[Point3<f64>],

@@ -1,33 +1,33 @@
-//! The map from places on a surface to its bending-invariant form.
+//! The map from a surface to its bending-invariant form.
 
 use crate::surface::form::rotations;
 use homolog_primitives::points::NeighborGrid;
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Sites whose rigid motions are blended at a place.
+/// Sites whose rigid motions are blended at a point.
 const BLENDED: usize = 6;
-/// Sites farther than this from the nearest one on the form, in spacings, belong to another limb that is close by.
+/// Distance from the nearest site on the form, in spacings, beyond which a site belongs to another limb.
 const SAME_LIMB: f64 = 3.0;
 
 /// A blend of the rigid motions that take the surroundings of each site to the form.
 ///
-/// Sites that are close through space may be far along the surface, such as those of a hand that touches the hip. So a place belongs
-/// to the site whose cell it lies in, and sites of its limb alone take part.
+/// Sites that are close in space may be far apart along the surface, such as those of a hand that touches the hip. So a
+/// point belongs to the site whose cell contains it, and only sites of the same limb are blended.
 pub(crate) struct Unbending {
     sites: Vec<Point3<f64>>,
-    /// Vertices of the surface, mm, and the site that each belongs to.
+    /// Vertices of the surface, mm, and the site of each.
     vertices: Vec<Point3<f64>>,
     site_of: Vec<u32>,
-    /// Rotation of each site's surroundings and the site on the form.
+    /// Rotation of the surroundings of each site, and the site on the form.
     motions: Vec<(Matrix3<f64>, Point3<f64>)>,
     /// Mean distance between neighboring sites, mm.
     spacing_mm: f64,
 }
 
 impl Unbending {
-    /// The map that takes `sites` of a surface to `form`, mm, whose `neighbors` along the surface are listed for each site, itself
-    /// first. `cells`: the vertices of the surface, mm, and the site that each belongs to.
+    /// The map from `sites` of a surface to `form`, mm. `neighbors`: for each site its neighbors along the surface,
+    /// itself first. `cells`: the vertices of the surface, mm, and the site of each.
     pub(crate) fn new(
         sites: &[Point3<f64>],
         form: &[Point3<f64>],
@@ -42,7 +42,7 @@ impl Unbending {
         Unbending { sites: sites.to_vec(), vertices: cells.0.to_vec(), site_of: cells.1.to_vec(), motions, spacing_mm }
     }
 
-    /// `points` of the surface on the form, mm. Cost `O(n)`.
+    /// Maps `points` of the surface to the form, mm. Cost `O(n)`.
     pub(crate) fn of(&self, points: &[Point3<f64>]) -> Vec<Point3<f64>> {
         let grid = NeighborGrid::new(&self.sites, 2.0 * self.spacing_mm);
         let vertices = NeighborGrid::new(&self.vertices, 0.5 * self.spacing_mm);
@@ -77,7 +77,7 @@ impl Unbending {
     }
 }
 
-/// The nearest of the points of `grid` to `p`, looked for within `radius_mm` and then within twice as much, and so on.
+/// The nearest of the points of `grid` to `p`, searched within `radius_mm`, which is doubled until one is found.
 fn nearest(grid: &NeighborGrid, p: &Point3<f64>, mut radius_mm: f64) -> u32 {
     loop {
         let mut best: Option<(f64, u32)> = None;
@@ -99,13 +99,13 @@ mod tests {
 
     #[test]
     fn a_place_goes_with_its_limb_and_not_with_one_that_is_close() {
-        // Two parallel limbs, a quarter of the spacing apart, which the form spreads: the second one turns away.
+        // Two parallel limbs, a quarter of the spacing apart. The form spreads them: the second turns away.
         let limb = |y: f64| (0..10).map(move |k| Point3::new(f64::from(k), y, 0.0));
         let sites: Vec<Point3<f64>> = limb(0.0).chain(limb(0.25)).collect();
         let form: Vec<Point3<f64>> = limb(0.0).chain((0..10).map(|k| Point3::new(-f64::from(k), 20.0, 0.0))).collect();
         let along = |k: u32| [k, if k % 10 == 9 { k - 1 } else { k + 1 }].to_vec();
         let neighbors: Vec<Vec<u32>> = (0..20).map(along).collect();
-        // Sites of the second limb are nearer to this vertex of the first.
+        // This vertex of the first limb is nearer to sites of the second.
         let mut vertices = sites.clone();
         vertices.push(Point3::new(4.5, 0.2, 0.0));
         let site_of: Vec<u32> = (0..20).chain([4]).collect();

@@ -1,12 +1,12 @@
-//! What the starts of belief propagation add to the unary potentials at first.
+//! Biases: initial additions to the unary potentials from which belief propagation starts.
 
 use super::settings::IsometrySettings;
 use super::variance::variance_of_distance;
 use crate::surface::sites::{Places, Sites};
 use homolog_mrf::Labeling;
 
-/// What `pairs` of a variable and a label, which correspond, add to the unary potentials of all `places` and `labels`: corresponding places
-/// have the same distances from them.
+/// The bias of `pairs` of a variable and a label that correspond, for all `places` and `labels`: a label costs more the
+/// more its distances from the labels of the pairs differ from the place's distances from their variables.
 pub(crate) fn bias_of_pairs(
     pairs: &[(usize, usize)],
     places: &Places<'_>,
@@ -24,8 +24,8 @@ pub(crate) fn bias_of_pairs(
     (0..n).flat_map(|i| (0..n_labels).map(move |x| (i, x))).map(bias).collect()
 }
 
-/// A bias away from `labelings`: what each label near that of a variable in one of them costs it at first, `repulsion` at most, falling off over
-/// `width`, a distance along the surface in roots of its area.
+/// A bias away from `labelings`: the initial cost of each label near that of a variable in one of them, at most
+/// `repulsion`, falling off over `width`, a distance along the surface in roots of its area.
 pub(crate) fn bias_away_from(labelings: &[&Labeling], labels: &Sites, repulsion: f64, width: f64) -> Vec<f32> {
     let scale = -0.5 / (width * width);
     let cost = |d: f32| (repulsion * (scale * f64::from(d) * f64::from(d)).exp()) as f32;

@@ -1,5 +1,5 @@
-//! Inference: belief propagation from nothing over the energy of near isometries, of the source and of its mirror image, and RANSAC
-//! over the labels, weighted by beliefs.
+//! Inference: belief propagation without a start over the energy of near isometries, of the source and of its mirror
+//! image, and RANSAC over the labels, weighted by beliefs.
 
 use super::bias::bias_away_from;
 use super::lead::{DISTINCT, Groups};
@@ -14,19 +14,20 @@ use homolog_primitives::observe::{Cancelled, Observer, Phase, Quantity, Silent, 
 use homolog_registration::{RansacOptions, RansacReport, RigidTransform, ransac_weighted};
 use nalgebra::{Matrix3, Point3, Vector3};
 
-/// Share of the labels that support a pose of which there is no doubt.
+/// Share of the labels that must support a pose for it to be clear.
 const CLEAR_SUPPORT: f64 = 0.9;
 
-/// How the energy is minimized and what supports a pose.
+/// Settings of the minimization of the energy and of the support of a pose.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct InferenceSettings {
-    /// The energy, and what its minimizers share.
+    /// The energy, and the settings that its minimizers share.
     pub energy: IsometrySettings,
     /// Most iterations of belief propagation.
     pub iterations: u32,
-    /// Sweeps of conditional modes over all labels afterwards, at most.
+    /// Most sweeps of conditional modes over all labels afterwards.
     pub sweeps: usize,
-    /// Largest residual of an inlier, in roots of the area: two spacings of the labels, and what two subjects differ in.
+    /// Largest residual of an inlier, in roots of the area: two spacings of the labels, plus the difference between two
+    /// subjects.
     pub inlier: f64,
     /// Confidence and most trials of RANSAC.
     pub confidence: f64,
@@ -46,7 +47,7 @@ impl Default for InferenceSettings {
     }
 }
 
-/// A labeling of the energy, and the pose that it supports.
+/// A labeling, and the pose that it supports.
 #[derive(Debug, Clone)]
 pub(crate) struct Labeled {
     pub labeling: Labeling,
@@ -66,7 +67,7 @@ impl Labeled {
     }
 }
 
-/// What inference from nothing found.
+/// The labelings that inference without a start found.
 pub(crate) struct Inferred {
     model: MetricModel,
     /// The energy of the mirrored source.
@@ -75,24 +76,24 @@ pub(crate) struct Inferred {
     /// The labels, mm.
     places: Vec<Point3<f64>>,
     tolerance_mm: f64,
-    /// Sweeps of conditional modes, at most.
+    /// Most sweeps of conditional modes.
     sweeps: usize,
     /// The variables, mm.
     points: Vec<Point3<f64>>,
-    /// Energy of the labels that cost least by themselves.
+    /// Energy of the labels of lowest unary potential.
     initial: Energy,
     pub proper: Labeled,
-    /// The labeling of lowest energy that is found away from it.
+    /// The labeling of lowest energy away from `proper`.
     pub elsewhere: Labeled,
-    /// The labeling of the source mirrored: the chirality of its places has the other sign.
+    /// The labeling of the mirrored source, whose places have chirality of the opposite sign.
     pub mirrored: Labeled,
 }
 
-/// What the result says of inference.
+/// The part of the result about inference.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct InferenceOutcome {
     pub energy: EnergyDocument,
-    /// From nothing; then from the answer, which is clamping by feedback of registration.
+    /// Inference without a start; then from the answer: clamping by feedback of registration.
     pub rounds: Vec<RoundDocument>,
     pub stop_reason: StopReason,
     /// Trials of RANSAC over the labels of the first round.
@@ -101,26 +102,27 @@ pub(crate) struct InferenceOutcome {
 }
 
 impl Inferred {
-    /// The poses that the labelings support, that of the lowest energy first among those of one handedness.
+    /// The poses that the labelings support; among those of one handedness the pose of lowest energy first.
     pub(crate) fn poses(&self) -> impl Iterator<Item = RigidTransform> {
         let found = [&self.proper, &self.elsewhere, &self.mirrored];
         found.into_iter().filter_map(|labeled| Some(labeled.ransac.as_ref()?.target_from_source))
     }
 
-    /// Whether the labels leave no doubt about the pose: nearly all of them support it, and labels elsewhere, or of the mirror image, cost
-    /// more in most places. Otherwise further starts are needed.
+    /// Whether the labels determine the pose: nearly all of them support it, and labels elsewhere, or of the mirror
+    /// image, cost significantly more. Otherwise further starts are needed.
     pub(crate) fn is_clear(&self) -> bool {
         self.proper.support() >= CLEAR_SUPPORT
             && self.excess(&self.model, &self.elsewhere) > DISTINCT
             && self.excess(&self.of_mirror, &self.mirrored) > DISTINCT
     }
 
-    /// Whether the labels of the mirror image cost less, beyond doubt, and support one pose: the target is the source mirrored, and not only bent.
+    /// Whether the labels of the mirror image cost significantly less and nearly all support one pose: the target is
+    /// then the mirrored source, not only bent.
     pub(crate) fn is_of_other_handedness(&self) -> bool {
         self.mirrored.support() >= CLEAR_SUPPORT && self.excess(&self.of_mirror, &self.mirrored) < -DISTINCT
     }
 
-    /// How much more `other`, a labeling of `model`, costs than the first one: see [`Groups::lead`].
+    /// Excess cost of `other`, a labeling of `model`, over `proper`, in standard errors: see [`Groups::lead`].
     fn excess(&self, model: &MetricModel, other: &Labeled) -> f64 {
         self.groups.lead(&self.model.shares(&self.proper.labeling), &model.shares(&other.labeling))
     }
@@ -148,7 +150,7 @@ impl Inferred {
         });
     }
 
-    /// The outcome for an answer whose images name `labels`, with this rigid part.
+    /// The outcome for an answer with the rigid part `transform`, whose images are at `labels`.
     pub(crate) fn clamped(&self, labels: Labeling, transform: &RigidTransform) -> InferenceOutcome {
         let mirrors = transform.is_reflection();
         let (model, from_nothing) =
@@ -201,7 +203,7 @@ impl Inferred {
     }
 }
 
-/// Infers the labels of `source` on `target`, whose areas have the root `root_mm`.
+/// Infers the labels of `source` on `target`; `root_mm` is the root of the area.
 ///
 /// # Errors
 /// [`Cancelled`].
@@ -279,7 +281,7 @@ fn labeled(
     // Labels of the mirror image support a pose of the mirrored points.
     let sign = if mirrors { -1.0 } else { 1.0 };
     let from: Vec<Point3<f64>> = points.iter().map(|p| Point3::new(sign * p.x, p.y, p.z)).collect();
-    // A search of 160 points is over in a millisecond, and cancelled before and after.
+    // A search among 160 points takes a millisecond, so cancellation is checked only before and after it.
     let mut ransac = ransac_weighted(&from, &images, &beliefs, &options, &Silent).ok().flatten();
     if let Some(found) = &mut ransac {
         let mirror = Matrix3::from_diagonal(&Vector3::new(sign, 1.0, 1.0));
@@ -295,13 +297,13 @@ fn labeled(
     }
 }
 
-/// The belief in a label; that of one which is not active is below all others.
+/// The belief in a label; the least positive number for a label that is not active.
 fn belief(found: &ActiveBeliefs, variable: usize, label: u32) -> f64 {
     let at = found.active.of(variable).binary_search(&label);
     at.map_or(f64::from(f32::MIN_POSITIVE), |at| f64::from(found.of(variable)[at]).max(f64::from(f32::MIN_POSITIVE)))
 }
 
-/// For each variable the mean of the active labels about its own, weighted by their beliefs, mm.
+/// For each variable the mean of the active labels near its own, weighted by their beliefs, mm.
 fn images(
     found: &ActiveBeliefs,
     labeling: &[u32],

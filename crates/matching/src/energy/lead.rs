@@ -1,4 +1,4 @@
-//! How clearly one labeling costs less than another.
+//! Significance of the difference in cost between two labelings.
 
 use crate::surface::sites::Sites;
 
@@ -8,8 +8,7 @@ pub(crate) const DISTINCT: f64 = 3.0;
 /// Groups of neighboring variables over which the costs of two labelings are compared.
 const GROUPS: usize = 40;
 
-/// Groups of neighboring variables. What a place has of the energy is correlated with what its neighbors have; means over groups
-/// hardly are.
+/// Groups of neighboring variables. The costs of neighbors are correlated; means over groups hardly are.
 #[derive(Debug, Clone)]
 pub(crate) struct Groups {
     /// The group of each variable.
@@ -18,8 +17,8 @@ pub(crate) struct Groups {
 }
 
 impl Groups {
-    /// The groups of `variables`, which are `sites` from the first on, each as far as possible from all before it: that of the nearest of
-    /// the first ones.
+    /// The groups of `variables`, which are `sites` in farthest-point order. The first variables are the centers of the
+    /// groups; each variable belongs to the nearest center.
     pub(crate) fn new(sites: &Sites, variables: &[u32]) -> Groups {
         let n = GROUPS.min(variables.len());
         let nearest = |&site: &u32| {
@@ -30,7 +29,7 @@ impl Groups {
         Groups { of: variables.iter().map(nearest).collect(), n }
     }
 
-    /// How much more `others` cost than `own`, both a number for each variable: the mean difference over groups, in its standard error.
+    /// Excess of `others` over `own`, the costs of each variable: the mean difference over groups, in standard errors.
     pub(crate) fn lead(&self, own: &[f64], others: &[f64]) -> f64 {
         let mut sums = vec![0.0; self.n];
         for ((own, other), &group) in own.iter().zip(others).zip(&self.of) {
@@ -40,7 +39,7 @@ impl Groups {
     }
 }
 
-/// Mean of `values` in its standard error.
+/// Mean of `values` over its standard error.
 fn standardized_mean(values: &[f64]) -> f64 {
     let n = values.len() as f64;
     let mean = values.iter().sum::<f64>() / n;

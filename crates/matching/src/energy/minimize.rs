@@ -1,4 +1,4 @@
-//! The minimization of the energy of near isometries, and the correspondences that labelings are.
+//! Minimization of the energy of near isometries, and the correspondences of its labelings.
 
 use super::bias::bias_away_from;
 use super::model::Isometry;
@@ -17,18 +17,19 @@ pub(crate) struct NearIsometry {
     pub images: Vec<Point3<f64>>,
     /// Energy of the labeling; lower is better.
     pub energy: f64,
-    /// What each variable has of it.
+    /// The share of each variable in the energy.
     pub shares: Vec<f64>,
 }
 
 impl NearIsometry {
-    /// The energy over the number of variables.
+    /// The energy divided by the number of variables.
     pub(crate) fn mean_energy(&self) -> f64 {
         self.energy / self.points.len() as f64
     }
 }
 
-/// The labeling to which belief propagation over active labels with a bias at first, or with an empty one, and conditional modes lead.
+/// The labeling from belief propagation over active labels with an initial bias (may be empty), followed by conditional
+/// modes.
 pub(crate) fn minimized(model: &MetricModel, bias: &[f32], settings: &IsometrySettings) -> Labeling {
     let options = ActiveOptions {
         semiring: Semiring::Max,
@@ -39,13 +40,13 @@ pub(crate) fn minimized(model: &MetricModel, bias: &[f32], settings: &IsometrySe
     model.minimized(bias, settings.active_labels, &options, settings.sweeps, |_, _, _| ())
 }
 
-/// The labeling to which fusing `labelings`, and conditional modes, lead; `None` of none.
+/// The labeling from fusing `labelings`, followed by conditional modes; `None` for an empty list.
 pub(crate) fn fused(model: &MetricModel, labelings: &[Labeling], settings: &IsometrySettings) -> Option<Labeling> {
     model.fused_of_all(labelings, settings.sweeps)
 }
 
 impl Isometry<'_> {
-    /// The labeling to which conditional modes lead from the labels nearest to the images of the variables, mm.
+    /// The labeling from conditional modes, starting at the labels nearest to the images of the variables, mm.
     pub(crate) fn of_images(&self, images: &[Point3<f64>]) -> Labeling {
         let nearest = |p: &Point3<f64>| {
             let squared = |x: &u32| (self.places[*x as usize] - p).norm_squared();
@@ -54,8 +55,8 @@ impl Isometry<'_> {
         self.model.descend(images.iter().map(nearest).collect(), self.settings.sweeps)
     }
 
-    /// The labelings to which belief propagation and conditional modes lead from nothing, from extremities and away from `known`, and the
-    /// fusion of all of them.
+    /// Labelings from belief propagation and conditional modes, without a start, from extremities and away from
+    /// `known`, and the fusion of all of them.
     ///
     /// Cost `O(iterations · edges · active²)` for each start.
     pub(crate) fn candidates(&self, known: &Labeling) -> Vec<Labeling> {
@@ -71,7 +72,7 @@ impl Isometry<'_> {
         labelings
     }
 
-    /// The correspondences that `labeling` is.
+    /// The correspondences of `labeling`.
     pub(crate) fn correspondence(&self, labeling: &Labeling) -> NearIsometry {
         NearIsometry {
             points: self.points.clone(),
@@ -81,7 +82,8 @@ impl Isometry<'_> {
         }
     }
 
-    /// What each variable has of the lowest energy to which extremities and nothing lead if the source is mirrored; `None` of no labeling.
+    /// The share of each variable in the lowest energy of the mirrored source, from extremities and without a start;
+    /// `None` if there is no labeling.
     ///
     /// Cost as that of [`Isometry::candidates`].
     pub(crate) fn lowest_mirrored(&self) -> Option<Vec<f64>> {
@@ -89,13 +91,13 @@ impl Isometry<'_> {
         Some(self.mirrored.shares(&fused))
     }
 
-    /// The labelings of `model` from nothing and from each assignment of extremities.
+    /// The labelings of `model` without a start and from each assignment of extremities.
     fn labelings(&self, model: &MetricModel) -> Vec<Labeling> {
         let starts: Vec<Vec<f32>> = [Vec::new()].into_iter().chain(self.of_extremities()).collect();
         starts.par_iter().map(|bias| minimized(model, bias, &self.settings)).collect()
     }
 
-    /// For each variable the mean of the labels about its own, weighted by what they would cost.
+    /// For each variable the mean of the labels near its own, weighted by their cost as alternatives.
     fn images(&self, labeling: &[u32]) -> Vec<Point3<f64>> {
         let near = self.settings.blended / (self.places.len() as f64).sqrt();
         (0..labeling.len())

@@ -1,4 +1,4 @@
-//! The energy of near isometries: a Markov random field in which distances along the surface are kept.
+//! The energy of near isometries: a Markov random field that keeps distances along the surface.
 
 pub(crate) mod bias;
 pub(crate) mod inference;

@@ -1,20 +1,21 @@
-//! The Markov random field of a bent surface: which place of the target each place of the source corresponds to, where
-//! distances along the surface are kept and those through space are not.
+//! The Markov random field of a bent surface: the place of the target that corresponds to each place of the source, if
+//! distances along the surface are kept and distances in space are not.
 //!
-//! Variables are places spread evenly over the source, labels places spread evenly over the target. Neither pose nor
-//! deformation takes part:
+//! Variables are places spread evenly over the source, labels places spread evenly over the target. The energy depends
+//! on neither pose nor deformation:
 //!
-//! - **Pairwise**: the distance along the target between two labels, given that along the source between the two variables:
-//!   Gaussian, with the variance of sites that stand for cells and of a deformation in proportion to the distance. Edges join
-//!   neighbors and places far apart.
-//! - **Unary**: curvature at several scales; the eccentricity of the place, its root mean square distance to all others; and
-//!   the **chirality** of its surroundings, which changes its sign in a mirror: the signed area that a neighborhood covers in
-//!   the plane of two features, `∫ n · (∇f × ∇g)`. A person's left and right hand have the same distances and curvatures, and
-//!   opposite chirality.
+//! - **Pairwise**: the distance along the target between two labels, given the distance along the source between their
+//!   variables: Gaussian, with a variance from the spacing of the sites and from a deformation in proportion to the
+//!   distance. Edges join neighbors and places far apart.
+//! - **Unary**: curvature at several scales; the eccentricity of the place, its root mean square distance to all
+//!   others; and the **chirality** of its surroundings, which changes its sign in a mirror: the signed area that a
+//!   neighborhood covers in the plane of two features, `∫ n · (∇f × ∇g)`. A person's left and right hand have the same
+//!   distances and curvatures, and opposite chirality.
 //!
-//! It is minimized from nothing, and from assignments of extremities ([`crate::starts::extremities`]): each is a bias of belief propagation, which
-//! is then taken away ([`homolog_mrf::metric`]). The labelings are fused, since one is right about the arms and another about
-//! the legs. The energy says which labeling is right; `make energies` measures how often.
+//! The energy is minimized without a start, and from assignments of extremities ([`crate::starts::extremities`]): each
+//! is an initial bias of belief propagation that is then removed ([`homolog_mrf::metric`]). The labelings are fused,
+//! since one may be right about the arms and another about the legs. `make energies` measures how often the labeling of
+//! lowest energy is right.
 
 use super::bias::bias_of_pairs;
 use super::settings::IsometrySettings;
@@ -26,7 +27,7 @@ use crate::surface::smooth::SmoothSurface;
 use homolog_mrf::metric::{MetricEdge, MetricModel};
 use nalgebra::Point3;
 
-/// One surface of the field: its sites, where these lie, mm, and what is measured there.
+/// One surface of the model: its sites, their positions, mm, and the measurements there.
 pub(crate) struct Measured<'a> {
     pub sites: &'a Sites,
     pub signs: Signs,
@@ -40,16 +41,16 @@ impl<'a> Measured<'a> {
     }
 }
 
-/// The field between two surfaces.
+/// The model between two surfaces.
 pub(crate) struct Isometry<'a> {
     pub settings: IsometrySettings,
     /// The energy.
     pub model: MetricModel,
-    /// The same for a source that is mirrored: the chirality of its places has the other sign.
+    /// The energy of the mirrored source, whose places have chirality of the opposite sign.
     pub mirrored: MetricModel,
     /// The sites of the source.
     source: &'a Sites,
-    /// Those that are variables.
+    /// The sites that are variables.
     pub variables: &'a [u32],
     /// The variables on the source, mm.
     pub points: Vec<Point3<f64>>,
@@ -60,7 +61,7 @@ pub(crate) struct Isometry<'a> {
 }
 
 impl<'a> Isometry<'a> {
-    /// The field between two surfaces. Cost `O(variables · labels)`.
+    /// The model between two surfaces. Cost `O(variables · labels)`.
     pub(crate) fn new(source: &Measured<'a>, target: &Measured<'a>, settings: IsometrySettings) -> Self {
         debug_assert_eq!(settings.check(), Ok(()));
         let variables = source.sites.first(settings.n_variables);
@@ -82,7 +83,7 @@ impl<'a> Isometry<'a> {
         }
     }
 
-    /// For each assignment of extremities what it adds to the unary potentials at first. Cost `O(assignments · variables · labels)`.
+    /// For each assignment of extremities its bias. Cost `O(assignments · variables · labels)`.
     pub(crate) fn of_extremities(&self) -> Vec<Vec<f32>> {
         let (places, labels) = (self.source.picked(self.variables), self.labels.all());
         assignments(&places, &labels, self.settings.stretch)
@@ -92,7 +93,7 @@ impl<'a> Isometry<'a> {
     }
 }
 
-/// Edges between `n` variables that lie so far apart on the source, for `n_labels` labels.
+/// Edges between `n` variables at these distances on the source, for `n_labels` labels.
 pub(crate) fn edges(
     n: usize,
     distance: impl Fn(usize, usize) -> f64,
@@ -108,7 +109,7 @@ pub(crate) fn edges(
     };
     let near =
         (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|&(i, j)| distance(i, j) < settings.near * spacing);
-    // Farthest-point order leaves no trace of where a variable is, so any step leads far away.
+    // In farthest-point order the index of a variable says nothing about its place, so any step leads far away.
     let far = (0..n).flat_map(|i| settings.far_steps.map(|step| (i, (i + step) % n))).filter(|(i, j)| i != j);
     near.chain(far).map(|(i, j)| edge(i, j)).collect()
 }

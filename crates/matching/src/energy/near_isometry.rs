@@ -1,4 +1,4 @@
-//! The energy of near isometries by itself, for measuring it.
+//! The energy of near isometries alone, for measuring it.
 
 use super::minimize::{fused, minimized};
 use super::model::{Isometry, Measured};
@@ -11,26 +11,27 @@ use homolog_mesh::SurfaceMesh;
 use homolog_mrf::Labeling;
 use homolog_mrf::metric::MetricModel;
 
-/// The energy of near isometries between two surfaces, and where its minimization begins: for measuring the energy itself.
+/// The energy of near isometries between two surfaces, and the starts of its minimization, for measuring the energy
+/// itself.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NearIsometryModel {
     /// The energy.
     pub model: MetricModel,
-    /// The vertex of the source that each variable is.
+    /// The vertex of the source at each variable.
     pub variables: Vec<u32>,
-    /// The vertex of the target that each label is.
+    /// The vertex of the target at each label.
     pub labels: Vec<u32>,
-    /// For each assignment of extremities what it adds to the unary potentials at first.
+    /// For each assignment of extremities its bias, an initial addition to the unary potentials.
     pub of_extremities: Vec<Vec<f32>>,
 }
 
 impl NearIsometryModel {
-    /// The labeling to which belief propagation with a bias at first, or with an empty one, and conditional modes lead.
+    /// The labeling from belief propagation with an initial bias (may be empty), followed by conditional modes.
     pub fn minimized(&self, bias: &[f32]) -> Labeling {
         minimized(&self.model, bias, &IsometrySettings::default())
     }
 
-    /// The labeling to which fusing `labelings`, and conditional modes, lead; `None` of none.
+    /// The labeling from fusing `labelings`, followed by conditional modes; `None` for an empty list.
     pub fn fused(&self, labelings: &[Labeling]) -> Option<Labeling> {
         fused(&self.model, labelings, &IsometrySettings::default())
     }
@@ -93,7 +94,8 @@ mod tests {
         let mirrored: Vec<u32> = variables.iter().map(|p| nearest(&labels, Point3::new(p.x, p.y, -p.z))).collect();
         let [truth, mirrored] = [truth, mirrored].map(|x| found.model.energy(&found.model.descend(x, 20)));
         assert!(truth.unary + 40.0 < mirrored.unary, "{truth:?} {mirrored:?}");
-        // Distances along the surface are those of the mirror image: what they add is the distance of labels from places.
+        // The mirror image has the same distances along the surface, so its pairwise energy comes only from the
+        // distances between labels and places.
         assert!(mirrored.pairwise < 0.5 * mirrored.unary, "{truth:?} {mirrored:?}");
     }
 
@@ -113,7 +115,8 @@ mod tests {
     fn propagation_from_nothing_and_from_extremities_ends_as_low_as_the_truth_and_where_it_is() {
         let (source, target) = (symmetric(0.2), symmetric(1.6));
         let found = near_isometry_model(&source, &target).unwrap();
-        // Where a point of the bent surface lies on the straighter one: the same place along and about the axis.
+        // The counterpart on the straighter surface of a point of the bent one: the same place along and about the
+        // axis.
         let unbent = |p: &Point3<f64>, angle: f64| {
             let radius = 32.0 / angle;
             let phi = p.x.atan2(radius - p.y);

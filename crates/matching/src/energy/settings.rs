@@ -1,48 +1,49 @@
 //! The settings of the energy of near isometries.
 
-/// Every number of the energy and of its minimization.
+/// All settings of the energy and of its minimization.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct IsometrySettings {
-    /// Variables.
+    /// Number of variables.
     pub n_variables: usize,
     /// Edges join variables closer than this, in spacings of the variables.
     pub near: f64,
-    /// Steps in the list of the variables at which each has more edges. Farthest-point order leaves no trace of where a variable is, so
-    /// any step leads far away.
+    /// Steps in the list of the variables that give each variable further edges. In farthest-point order the index of a
+    /// variable says nothing about its place, so any step leads far away.
     pub far_steps: [usize; 4],
-    /// Standard deviation of a label's distance from the place it stands for, in spacings of the labels.
+    /// Standard deviation of the distance between a label and the true place, in spacings of the labels.
     pub label_noise: f64,
-    /// Standard deviation of the change of a distance by a deformation, relative to it.
+    /// Standard deviation of the relative change of a distance by a deformation.
     pub stretch: f64,
-    /// Weight of a pairwise potential: distances that share an end are not independent.
+    /// Weight of a pairwise potential, below 1 because distances with a common end are not independent.
     pub pair_weight: f64,
-    /// Most that a pairwise term costs before its weight, and a unary one, in units of log-likelihood: a wrong one can be outvoted.
+    /// Most that a pairwise term (before its weight) and a unary term cost, in units of log-likelihood, so that a wrong
+    /// term can be outvoted.
     pub truncation: f32,
     pub unary_truncation: f64,
-    /// Standard deviation of the difference of a feature at corresponding places, in its standard deviation over the surface.
+    /// Standard deviation of the difference of a feature at corresponding places, in standard deviations of the feature
+    /// over the surface.
     pub feature_noise: f64,
-    /// Width over which chirality is, in roots of the area.
+    /// Width of the neighborhood of chirality, in roots of the area.
     pub chirality_width: f64,
-    /// The most that a bias costs before its weight, in units of log-likelihood.
+    /// Most that a bias costs before its weight, in units of log-likelihood.
     pub bias_truncation: f64,
-    /// The weight of a bias.
+    /// Weight of a bias.
     pub bias_weight: f64,
     /// Iterations of belief propagation with a bias.
     pub iterations: usize,
-    /// Active labels of a variable. With 32 of 512 the energies of hippocampi are 0 to 2 % above those over all labels; on 15 pairs of bodies 48
-    /// and 96 led to the same correspondences.
+    /// Active labels of a variable.
     pub active_labels: usize,
     /// Change of a message up to which propagation has converged.
     pub tolerance: f32,
-    /// A labeling elsewhere is looked for where each variable pays for labels near those that are known: by so much, falling off over this
-    /// distance along the surface, in roots of the area.
+    /// Search for a labeling elsewhere: most that a label near a known one costs, in units of log-likelihood, and the
+    /// distance along the surface over which this cost falls off, in roots of the area.
     pub repulsion: f64,
     pub repulsion_width: f64,
-    /// Share of the message before that each message keeps.
+    /// Share of the previous message in each new message.
     pub damping: f32,
     /// Sweeps of conditional modes after belief propagation.
     pub sweeps: usize,
-    /// Labels within so many spacings of the best one take part in the mean that is the image.
+    /// Radius around the best label within which labels take part in the mean that is the image, in spacings.
     pub blended: f64,
 }
 
@@ -73,22 +74,22 @@ impl Default for IsometrySettings {
     }
 }
 
-/// Why settings have no energy.
+/// Why settings are invalid.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub(crate) enum SettingsError {
-    /// A length, a weight or a truncation has to be a number above 0.
+    /// A length, a weight or a truncation is not a positive number.
     #[error("{name} is {value}, not a positive number")]
     NotPositive { name: &'static str, value: f64 },
-    /// A count has to be 1 or more.
+    /// A count is 0.
     #[error("{name} is 0")]
     Zero { name: &'static str },
-    /// Messages that keep all of the messages before them never change.
+    /// With a damping of 1 messages never change.
     #[error("damping is {damping}, not in [0, 1)")]
     Damping { damping: f32 },
 }
 
 impl IsometrySettings {
-    /// Whether these settings make an energy.
+    /// Checks that each setting is in its range.
     ///
     /// # Errors
     /// [`SettingsError`] for the first setting that is out of its range.

@@ -1,4 +1,4 @@
-//! What is measured at the places of a surface, and the unary potentials of two surfaces.
+//! Measurements at the places of a surface, and the unary potentials of two surfaces.
 
 use super::settings::IsometrySettings;
 use crate::surface::sites::Sites;
@@ -7,10 +7,10 @@ use rayon::prelude::*;
 
 /// Pairs of features whose plane gives a chirality; `N_FEATURES` stands for the eccentricity.
 const PLANES: [[usize; 2]; 7] = [[0, 2], [2, 4], [1, 3], [3, 5], [2, N_FEATURES], [4, N_FEATURES], [3, N_FEATURES]];
-/// Standard deviations of the Gaussian over which chirality is summed beyond which nothing counts.
+/// Distance beyond which a triangle does not count for chirality, in standard deviations of its Gaussian.
 const CHIRALITY_REACH: f64 = 3.0;
 
-/// What is measured at the places of one surface, `places × …` each.
+/// Measurements at the places of one surface, `places × …` each.
 pub(crate) struct Signs {
     features: Vec<Vec<f64>>,
     chirality: Vec<Vec<f64>>,
@@ -18,7 +18,7 @@ pub(crate) struct Signs {
 }
 
 impl Signs {
-    /// Those of the mirror image.
+    /// The measurements of the mirror image.
     pub(crate) fn mirrored(&self) -> Signs {
         let negated = |values: &Vec<f64>| values.iter().map(|x| -x).collect();
         Signs {
@@ -28,7 +28,8 @@ impl Signs {
         }
     }
 
-    /// At all `sites` of `surface`: features are means over cells, and chirality is summed over the triangles between sites.
+    /// Measurements at all `sites` of `surface`: features are means over cells, and chirality is summed over the
+    /// triangles between sites.
     ///
     /// Cost `O(n + sites · triangles)`.
     pub(crate) fn at_sites(surface: &SmoothSurface, sites: &Sites, settings: &IsometrySettings) -> Signs {
@@ -65,7 +66,7 @@ impl Signs {
                     sums.iter_mut().zip(covered).for_each(|(sum, covered)| *sum += weight * covered);
                 }
             }
-            // A product of two features: the root has their spread.
+            // Chirality is a product of two features; its root has the scale of a feature.
             sums.iter().map(|x| x.signum() * x.abs().sqrt()).collect()
         };
         Signs {
@@ -75,7 +76,7 @@ impl Signs {
         }
     }
 
-    /// Those of some of the places.
+    /// The measurements of some of the places.
     pub(crate) fn picked(&self, which: &[u32]) -> Signs {
         let picked = |values: &[Vec<f64>]| which.iter().map(|&k| values[k as usize].clone()).collect();
         Signs {
@@ -86,7 +87,7 @@ impl Signs {
     }
 }
 
-/// For every variable and label the sum of the means over features, chirality and eccentricity.
+/// The unary potential of every variable and label: the sum of the means over features, chirality and eccentricity.
 pub(crate) fn unary_potentials(source: &Signs, target: &Signs, settings: &IsometrySettings) -> Vec<f32> {
     let mut unary = vec![0.0f32; source.features.len() * target.features.len()];
     for (a, b) in [
@@ -111,7 +112,7 @@ pub(crate) fn unary_potentials(source: &Signs, target: &Signs, settings: &Isomet
     unary
 }
 
-/// Standard deviation of the values of both surfaces about their own means, and of those means.
+/// Standard deviation of the values of both surfaces within each surface, and between their means.
 fn pooled_deviation(a: impl Iterator<Item = f64> + Clone, b: impl Iterator<Item = f64> + Clone) -> f64 {
     let moments = |values: &mut dyn Iterator<Item = f64>| {
         let (mut n, mut sum, mut squares) = (0.0, 0.0, 0.0);
@@ -123,6 +124,6 @@ fn pooled_deviation(a: impl Iterator<Item = f64> + Clone, b: impl Iterator<Item 
         (sum / n, squares / n - (sum / n).powi(2))
     };
     let ((mean_a, var_a), (mean_b, var_b)) = (moments(&mut a.clone()), moments(&mut b.clone()));
-    // A feature that is the same everywhere says nothing; the floor avoids a division by 0.
+    // A constant feature has no deviation; the floor avoids a division by 0.
     ((var_a.max(0.0) + var_b.max(0.0) + (mean_a - mean_b).powi(2)) / 2.0).sqrt().max(f64::MIN_POSITIVE.sqrt())
 }

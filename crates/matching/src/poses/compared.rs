@@ -1,4 +1,4 @@
-//! Starts of a displacement field, and what is known of them after they were compared.
+//! Starts of a displacement field, and the results of their comparison.
 
 use crate::starts::start_pose::StartPose;
 use homolog_registration::RigidTransform;
@@ -8,19 +8,19 @@ use homolog_registration::RigidTransform;
 pub(crate) enum Origin {
     /// A rigid pose, by its index among those that were compared.
     Pose(usize),
-    /// A correspondence of least energy of near isometries.
+    /// A correspondence of low energy of near isometries.
     Isometry {
         /// Its rigid part.
         pose: RigidTransform,
         /// The energy, a mean over the variables.
         mean_energy: f64,
     },
-    /// A pose of straightened surfaces; this is the rigid part of what it does to the surfaces themselves.
+    /// A pose of straightened surfaces, given as the rigid part of its map of the original surfaces.
     Straightened(RigidTransform),
 }
 
 impl Origin {
-    /// The rigid part of the start, one of `poses` if it is not that of a bent surface.
+    /// The rigid part of the start; `poses` are the rigid poses that [`Origin::Pose`] counts.
     pub(crate) fn rigid(&self, poses: &[StartPose]) -> RigidTransform {
         match self {
             Origin::Pose(k) => poses[*k].pose,
@@ -43,29 +43,29 @@ impl Origin {
     }
 }
 
-/// The first stage's verdict on one start.
+/// The result of the coarse stage for one start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ComparedPose {
     pub origin: Origin,
-    /// Whether it mirrors.
+    /// Whether the start mirrors the source.
     pub mirrored: bool,
     /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
     pub misfit: f64,
-    /// What is known of it beyond this misfit.
+    /// How the start fared in later stages.
     pub finer: Finer,
 }
 
 /// How a start fared in later stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Finer {
-    /// It was not followed.
+    /// Not followed.
     None,
-    /// It ended where a better one did.
+    /// Ended at the pose of a better start.
     Same,
-    /// It leaves more unexplained, or has a higher energy.
+    /// Leaves more unexplained, or has a higher energy.
     Outdone,
-    /// It ends elsewhere and leaves no more unexplained.
+    /// Ended elsewhere and leaves no more unexplained.
     AsGood,
-    /// It is of the other handedness and leaves less unexplained.
+    /// Has the other handedness and leaves less unexplained.
     Better,
 }

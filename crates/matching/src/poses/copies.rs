@@ -1,16 +1,15 @@
-//! Whether two surfaces are copies of one shape: they can then be aligned more finely than two subjects.
+//! Whether two surfaces are copies of one shape. Copies can be aligned more precisely than two subjects.
 
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, align_both_ways};
 
-/// Robust standard deviation of the residuals along the normals, in mean target edge lengths, up to which surfaces are
-/// copies: at most 0.14 for re-sampled copies, also noisy ones, and 0.11 to 0.15 for forty copies with an end cut off; from
-/// 0.30 on for different subjects, and from 0.54 for warps of 8 % of the diagonal.
+/// Robust standard deviation of the residuals along the normals up to which surfaces are copies, in mean target edge
+/// lengths.
 const COPY_EDGES: f64 = 0.2;
-/// Share of the area of one of them whose closest points have to lie inside the rim of the other: surfaces that only touch show
-/// nothing of each other.
+/// Least share of the area of one surface whose closest points lie inside the rim of the other. Surfaces that only
+/// touch give no evidence.
 const LEAST_OVERLAP: f64 = 0.5;
-/// Points of each surface, and steps of the alignment that tells.
+/// Points of each surface and steps of this alignment.
 const SAMPLE: usize = 400;
 const STEPS: u32 = 10;
 
@@ -21,9 +20,9 @@ pub(crate) struct Aligned {
     pub copies: bool,
 }
 
-/// Aligns `source` with `target` from `start` by a few steps of points against planes in both directions. `edge_mm` is the
-/// mean edge length of the target; the alignment ends when a step rotates by less than `tolerance` radians and moves by
-/// less than `tolerance` diagonals of the source.
+/// Aligns `source` with `target` from `start` by a few steps of point-to-plane alignment in both directions. `edge_mm`
+/// is the mean edge length of the target; the alignment ends when a step rotates by less than `tolerance` radians and
+/// moves by less than `tolerance` diagonals of the source.
 ///
 /// # Errors
 /// [`Cancelled`].

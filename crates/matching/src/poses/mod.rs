@@ -1,4 +1,4 @@
-//! Rigid poses: what is known of those that were compared, and the rigid part of a fit.
+//! Rigid poses: results of their comparison, and the rigid part of a fit.
 
 pub(crate) mod compared;
 pub(crate) mod copies;

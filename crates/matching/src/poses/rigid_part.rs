@@ -1,17 +1,15 @@
 //! The rigid part of a displacement.
 //!
-//! Where surfaces differ in shape, it is the absolute orientation of all correspondences. Where they are copies, the
-//! freedom of the field only adds noise: aligning points with tangent planes, in both directions and on surfaces without
-//! the steps of voxels, is then more accurate. On re-sampled copies the median rotation error was 0.27° by the former and
-//! 0.13° by the latter; leaving out the farthest tenth of the pairs, as ICP does, gave 0.24°.
+//! For surfaces of different shape it is the absolute orientation of all correspondences. For copies the freedom of the
+//! field only adds noise: alignment of points with tangent planes, in both directions and on surfaces without voxel
+//! steps, is more accurate.
 //!
-//! Where a surface is open, a part may be missing, and pairs without a true counterpart rotate the orientation: on copies
-//! without a fifth of their area at one end the field hid that they are copies, and the orientation of its pairs was off
-//! by 4° to 16° for synthetic shapes and by 1° to 7° for real ones. So open surfaces are aligned first, and are copies if
-//! the residual along the normals is as small as that of sampling.
+//! An open surface may lack a region, and pairs without a true counterpart rotate the absolute orientation and hide
+//! that the surfaces are copies. So open surfaces are first aligned, and are copies if the residual along the normals
+//! is as small as sampling noise.
 //!
-//! Source: Chen, Medioni 1992 (point-to-plane); Rusinkiewicz, "A symmetric objective function for ICP", 2019 (both
-//! surfaces take part; here each in turn has the planes); Tukey's biweight for points without counterpart.
+//! Source: Chen, Medioni 1992 (point-to-plane); Rusinkiewicz, "A symmetric objective function for ICP", 2019 (uses both
+//! surfaces; here the planes of each in turn); Tukey's biweight for points without counterpart.
 
 use super::copies::{Aligned, align_shortly};
 use crate::error::MatchError;
@@ -24,12 +22,13 @@ use homolog_registration::{
 };
 use nalgebra::Point3;
 
-/// Root mean square displacement in mean target edge lengths, after the rigid transform, below which surfaces are
-/// copies. Re-sampled copies are at about 0.2, 4 % warps above 1.
+/// Root mean square displacement after the rigid transform below which closed surfaces are copies, in mean target edge
+/// lengths.
 const COPY_EDGES: f64 = 0.5;
 /// Most steps of the alignment of copies.
 const MAX_STEPS: u32 = 30;
-/// The alignment ends when a step rotates by less, radians, and moves by less, in diagonals of the source.
+/// The alignment ends when a step rotates by less than this, radians, and moves by less than this, in diagonals of the
+/// source.
 const TOLERANCE: f64 = 1e-7;
 
 /// The rigid part of a displacement.
@@ -44,7 +43,7 @@ fn side(surface: &SmoothSurface) -> SurfaceSide<'_> {
     SurfaceSide { points: surface.mesh.vertices(), areas: &surface.areas, closest: surface.closest() }
 }
 
-/// Two prepared surfaces that are aligned rigidly.
+/// Two prepared surfaces to align rigidly.
 pub(crate) struct Alignment<'a> {
     pub source: &'a SmoothSurface,
     pub target: &'a SmoothSurface,
@@ -54,8 +53,8 @@ pub(crate) struct Alignment<'a> {
 }
 
 impl Alignment<'_> {
-    /// The rigid part of the correspondences `source vertex → image` (mm), which mirrors or does not. With `open`, an alignment of the surfaces decides whether
-    /// they are copies, which a field does not show at a rim. `None` for collinear ones.
+    /// The rigid part of the correspondences `source vertex → image` (mm); `mirrored`: whether it is a reflection. With
+    /// `open`, an alignment of the surfaces decides whether they are copies. `None` for collinear correspondences.
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].
@@ -82,8 +81,8 @@ impl Alignment<'_> {
         Ok(Some(RigidPart { transform, copies }))
     }
 
-    /// Whether a rigid alignment from `start` makes the surfaces copies in another pose than `pose`, that of an alignment from
-    /// elsewhere. Where copies lie on each other in one pose alone, both end in it.
+    /// Whether a rigid alignment from `start` shows the surfaces to be copies in a pose other than `pose`, the result
+    /// of an alignment from another start. If copies coincide in one pose only, both alignments end there.
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].
@@ -98,7 +97,7 @@ impl Alignment<'_> {
         Ok((squares / points.len() as f64).sqrt() >= COPY_EDGES * self.edge_mm)
     }
 
-    /// The pose that a rigid alignment of all points ends in, from `start`.
+    /// The result of a rigid alignment of all points from `start`.
     fn aligned(&self, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
         let options = TwoSidedOptions {
             metric: IcpMetric::PointToPlane,
@@ -111,7 +110,7 @@ impl Alignment<'_> {
         Ok(found.target_from_source)
     }
 
-    /// The surfaces after a few steps of rigid alignment from `start`, and whether they are copies of one shape there.
+    /// The result of a few steps of rigid alignment from `start`, and whether the surfaces are copies there.
     fn aligned_shortly(&self, start: &RigidTransform) -> Result<Aligned, MatchError> {
         let (of_source, of_target) = (side(self.source), side(self.target));
         Ok(align_shortly(&of_source, &of_target, start, (self.edge_mm, TOLERANCE), self.observer)?)

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 /// An image triangle with less than this share of the mean area of target triangles is degenerate.
 pub const DEGENERATE_AREA_SHARE: f64 = 1e-6;
 
-/// What [`topology_consistency`] measures.
+/// The measures of [`topology_consistency`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TopologyConsistency {
     /// Share of source edges whose images lie within `r` edges on the target; 0 if there are no edges.
@@ -19,14 +19,14 @@ pub struct TopologyConsistency {
     pub n_triangles: usize,
     /// Triangles whose image is oriented against the target surface.
     pub n_flipped: usize,
-    /// Triangles whose image has too little area for an orientation. They do not count as flipped.
+    /// Triangles whose image has too little area for an orientation. They are not counted as flipped.
     pub n_degenerate: usize,
 }
 
 /// Why a labeling cannot be measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum LabelingError {
-    /// Not one value for every source vertex.
+    /// The number of values differs from that of source vertices.
     #[error("{found} values are given for {n_vertices} source vertices")]
     LengthMismatch {
         /// Values given.
@@ -34,7 +34,7 @@ pub enum LabelingError {
         /// Source vertices.
         n_vertices: usize,
     },
-    /// A label is no target vertex.
+    /// A label is not a target vertex.
     #[error("source vertex {vertex} has label {label}, but there are only {n_labels}")]
     NoSuchLabel {
         /// Source vertex.
@@ -129,14 +129,14 @@ pub(crate) fn check_labeling(labeling: &[u32], n_vertices: usize, n_labels: usiz
     }
 }
 
-/// What an image triangle is.
+/// The class of an image triangle.
 enum Image {
     Upright,
     Flipped,
     Degenerate,
 }
 
-/// The target, with what classifies image triangles.
+/// The target, with data to classify image triangles.
 struct Images<'a> {
     target: &'a SurfaceMesh,
     normals: Vec<Vector3<f64>>,
@@ -187,7 +187,7 @@ mod tests {
             rings in 0usize..4,
         ) {
             for mesh in shapes() {
-                // Mostly the identity, with disturbances here and there.
+                // The identity at most vertices, with some labels changed.
                 let n = mesh.n_vertices();
                 let mut labeling: Vec<u32> = (0..n as u32).collect();
                 for (k, &number) in seed.iter().enumerate() {
@@ -236,7 +236,7 @@ mod tests {
 
     #[test]
     fn a_reflection_flips_every_triangle() {
-        // Every vertex goes to its mirror image, which is a vertex as well.
+        // Every vertex is mapped to its mirror image, which is also a vertex.
         let mesh = torus(10.0, 4.0, 16, 8, FaceArity::Quad);
         let mirror = |p: &nalgebra::Point3<f64>| {
             let distance = |q: &nalgebra::Point3<f64>| (q - nalgebra::Point3::new(p.x, p.y, -p.z)).norm();
@@ -255,10 +255,10 @@ mod tests {
         let [a, b] = mesh.edges()[500];
         labeling.swap(a as usize, b as usize);
         let found = topology_consistency(&mesh, &mesh, &labeling, 2).unwrap();
-        // The two triangles at their edge are flipped; both vertices are still within two edges of all neighbors.
+        // The two triangles at the edge are flipped; both vertices are still within two edges of all neighbors.
         assert_eq!((found.consistency, found.coverage, found.n_degenerate), (1.0, 1.0, 0));
         assert!((2..=10).contains(&found.n_flipped), "{found:?}");
-        // One label for both: the same two triangles lose their area.
+        // With one label for both vertices the same two triangles have no area.
         labeling[a as usize] = labeling[b as usize];
         let found = topology_consistency(&mesh, &mesh, &labeling, 2).unwrap();
         assert_eq!(found.n_degenerate, 2);

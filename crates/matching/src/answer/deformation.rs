@@ -1,17 +1,18 @@
-//! How a map deforms the source: folds, areas and the enclosed volume, between the source and its corresponding points.
+//! Deformation of the source by a map to corresponding points: folds, areas and enclosed volume.
 
 use super::consistency::DEGENERATE_AREA_SHARE;
 use homolog_contract::result::DeformationDocument;
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 
-/// How the map that takes vertex `i` of `source` to `images[i]`, a point on `target`, deforms the source surface.
+/// Deformation of the source surface by the map that takes vertex `i` of `source` to `images[i]`, a point on `target`.
 ///
-/// The image of a triangle (a quad counts as two) is the triangle between the images of its corners, in their order. It is
-/// *folded* if its normal has a negative product with the sum of the target's normals at its corners, each of which is
-/// interpolated from unit vertex normals; one of less than [`DEGENERATE_AREA_SHARE`] of the mean area of the target's triangles
-/// has no orientation and is not counted. Both surfaces face outwards; with `mirrored`, the map is that of the mirrored source.
-/// Triangles with a corner of which `has_counterpart` is false are left out of all but the volume.
+/// The image of a triangle (a quad counts as two) is the triangle between the images of its corners, in their order. It
+/// is *folded* if its normal has a negative product with the sum of the target's normals at its corners, each of which
+/// is interpolated from unit vertex normals. An image of less than [`DEGENERATE_AREA_SHARE`] of the mean area of the
+/// target's triangles has no orientation and is not counted. Both surfaces face outwards; with `mirrored`, the map is
+/// that of the mirrored source. Triangles with a corner for which `has_counterpart` is false are left out of all
+/// measures but the volume.
 ///
 /// `None` if no triangle with an area is left.
 ///
@@ -19,8 +20,8 @@ use nalgebra::{Point3, Vector3};
 /// `O(vertices + faces)`, and a sort of the source's vertices; sums have a fixed order.
 ///
 /// # Source
-/// The area ratio at a vertex is the determinant of the Jacobian of the piecewise linear map along the surface, averaged over
-/// the triangles around the vertex.
+/// The area ratio at a vertex is the determinant of the Jacobian of the piecewise linear map along the surface,
+/// averaged over the triangles around the vertex.
 pub(crate) fn deformation(
     source: &SurfaceMesh,
     target: &SurfaceMesh,
@@ -123,7 +124,7 @@ mod tests {
     fn a_copy_is_not_deformed_and_a_scaled_one_grows_by_powers_of_the_scale() {
         for source in shapes() {
             for scale in [1.0, 0.5, 3.0] {
-                // Away from the origin, which is what the volume must not depend on.
+                // Away from the origin, on which the volume must not depend.
                 let points: Vec<_> =
                     source.vertices().iter().map(|p| p * scale + Vector3::new(300.0, -50.0, 9.0)).collect();
                 let target = source.with_vertices(points.clone()).unwrap();
@@ -165,7 +166,7 @@ mod tests {
         let found = measured(&source, &target, &points);
         assert_near(found.area_ratio, target.area() / source.area());
         assert_near(found.volume_ratio.unwrap(), 2.0);
-        // Flat parts keep their area, upright ones have twice of it.
+        // Flat regions keep their area, upright regions double it.
         assert!(found.area_ratio_p05 >= 1.0 && found.area_ratio_p05 < 1.3, "{found:?}");
         assert!(found.area_ratio_p95 <= 2.0 && found.area_ratio_p95 > 1.8, "{found:?}");
     }
@@ -184,17 +185,17 @@ mod tests {
     fn a_triangle_that_is_turned_over_is_the_one_fold() {
         let mesh = plane(5);
         let mut points = mesh.vertices().to_vec();
-        // The corner (4, 0), which one triangle has, is moved across its opposite side to (3.4, 0.6).
+        // The corner (4, 0), which belongs to one triangle, is moved across the opposite side to (3.4, 0.6).
         let corner = points.iter().position(|p| p.x == 4.0 && p.y == 0.0).unwrap();
         assert_eq!(mesh.triangles().iter().filter(|t| t.contains(&(corner as u32))).count(), 1);
         points[corner] = Point3::new(3.4, 0.6, 0.0);
         let found = measured(&mesh, &mesh, &points);
         assert_eq!(found.folded_triangles, 1);
         assert_near(found.folded_area_share, 1.0 / 32.0);
-        // Its height was 1/√2 and is 0.1 √2 on the other side.
+        // Its height changes from 1/√2 to 0.1 √2 on the other side.
         assert_near(found.area_ratio, (31.0 + 0.2) / 32.0);
         assert_eq!(found.volume_ratio, None, "an open surface encloses nothing");
-        // Moved onto the side, it has no area and no orientation.
+        // Moved onto the side, the triangle has no area and no orientation.
         points[corner] = Point3::new(3.5, 0.5, 0.0);
         assert_eq!(measured(&mesh, &mesh, &points).folded_triangles, 0);
     }

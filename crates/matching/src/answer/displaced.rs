@@ -8,30 +8,30 @@ use homolog_mrf::Labeling;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
-/// What the third stage hands over: every vertex of the source as it came, in canonical numbering.
+/// Result of the third stage for every vertex of the source as given, in canonical numbering.
 pub(crate) struct Displaced {
     /// The rigid transform.
     pub transform: RigidTransform,
     /// The target vertex of each source vertex.
     pub labeling: Labeling,
-    /// Its probability.
+    /// The confidence of each label.
     pub confidence: Vec<f64>,
-    /// Expected distance of the true image, mm.
+    /// Expected distance of each image from the true image, mm.
     pub spread_mm: Vec<f64>,
     /// Poses that were compared.
     pub poses: Vec<PoseDocument>,
     pub images: Images,
-    /// Whether the answer can be relied on; `None` where no smooth displacement field could be fitted to say so.
+    /// Whether the answer can be relied on; `None` if no displacement field was fitted.
     pub reliability: Option<ReliabilityDocument>,
     /// Whether the source was scaled to the area of the target.
     pub resized: bool,
-    /// What the energy of near isometries says of this answer, where it was minimized.
+    /// Outcome of inference over near isometries for this answer, if it took part.
     pub inference: Option<InferenceOutcome>,
 }
 
 impl Displaced {
-    /// This answer for `levels`, which are a source at another size whose vertices are numbered as those of the source, as an answer for
-    /// the source: `rigid` is the transform of the source that stands for one of theirs.
+    /// Converts this answer for `levels`, the source at another size with the same vertex numbering, to an answer for
+    /// the source. `rigid` converts a transform of the resized source to one of the source.
     pub(crate) fn of_original(
         mut self,
         levels: &Levels,
@@ -60,29 +60,29 @@ fn in_order<T: Clone>(order: &[usize], values: &[T]) -> Vec<T> {
     order.iter().map(|&i| values[i].clone()).collect()
 }
 
-/// Where the images of the source vertices lie.
+/// The images of the source vertices.
 pub(crate) enum Images {
-    /// On the vertices of the target that `labeling` names; the source is moved by the transform alone.
+    /// On the vertices of the target in `labeling`; the source is moved by the transform alone.
     OnVertices,
-    /// Where a smooth displacement field moves the source.
+    /// At the closest points to the source moved by a displacement field.
     Smooth(SmoothImages),
 }
 
-/// Images by a smooth displacement field.
+/// Images by a displacement field.
 pub(crate) struct SmoothImages {
     /// The point of the target closest to each moved source vertex.
     pub points: Vec<ClosestPoint>,
     /// Each moved source vertex, mm.
     pub moved: Vec<Point3<f64>>,
-    /// Whether the target has nothing where a source vertex is moved to.
+    /// Whether the target has no surface at each moved source vertex.
     pub no_counterpart: Vec<bool>,
 }
 
-/// `labels` of all source vertices as a labeling of the level on which the energy is.
+/// `labels` of all source vertices as a labeling of the level of the energy.
 pub(crate) fn labeling_of_energy(source: &Levels, target: &Levels, labels: &[u32]) -> Labeling {
     let (source_level, target_level) = (source.energy(), target.energy());
     let mut labeling = vec![0; source_level.side.mesh().n_vertices()];
-    // Of the vertices of a cell one is its site, and the image of that one counts.
+    // One vertex of each cell is its site; its image is the label of the cell.
     for (i, &k) in source_level.cells.iter().enumerate() {
         if source.full.surface.numbering.original(i as u32) == source_level.side.surface.numbering.original(k) {
             labeling[k as usize] = target_level.cells[labels[i] as usize];

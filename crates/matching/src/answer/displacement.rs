@@ -1,4 +1,4 @@
-//! The answer of a displacement field: images with their confidence, and what is known of the fit.
+//! The answer of a displacement field: images with their confidence, and measures of the fit.
 
 use super::images::{Image, images};
 use crate::field::agreement::Agreement;
@@ -13,20 +13,20 @@ use homolog_registration::RigidTransform;
 pub(crate) struct DisplacementAnswer {
     /// The image of each source vertex.
     pub images: Vec<Image>,
-    /// The rigid transform of these correspondences.
+    /// The rigid transform of the correspondences.
     pub transform: RigidTransform,
-    /// Starts that were compared, the one that was kept first.
+    /// The starts that were compared, the one kept first.
     pub compared: Vec<ComparedPose>,
     /// Robust standard deviation of the distance from the target along its normals after the fine stage, mm.
     pub residual_mm: f64,
     /// How well the surfaces agree after the deformation.
     pub agreement: Agreement,
-    /// How far the deformation is from one that keeps angles, [`crate::field::strain::distortion`].
+    /// Mean angular distortion of the deformation, [`crate::field::strain::distortion`].
     pub distortion: f64,
 }
 
 impl DisplacementAnswer {
-    /// The answer for `surfaces` that were `fitted`. Cost `O(n log n')`.
+    /// The answer from `fitted`, a fit of `surfaces`. Cost `O(n log n')`.
     pub(crate) fn of(fitted: Fitted, surfaces: &Surfaces<'_>) -> DisplacementAnswer {
         let Fitted { deformed, compared } = fitted;
         let Deformed { moved, variances, transform, residual_mm, agreement, distortion } = deformed;

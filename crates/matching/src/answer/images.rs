@@ -1,4 +1,4 @@
-//! Images of source vertices between target vertices, with a probability that they are close to the truth.
+//! Images of source vertices on the target surface, with the probability that they are close to the truth.
 
 use super::confidence::{equally_probable_radii, error_scale, spread_of_scale, within};
 use crate::pair::lengths::sampling_variance;
@@ -22,8 +22,8 @@ pub(crate) struct Image {
     pub spread_mm: f64,
 }
 
-/// The images of source vertices that are moved to `moved`, with the variance of each, mm², on surfaces sampled at a distance
-/// of `sampling_mm`.
+/// The images of source vertices moved to `moved`, with the variance of each, mm², and the sampling distance
+/// `sampling_mm` of the surfaces, mm.
 ///
 /// Cost `O(n log n')`.
 pub(crate) fn images(

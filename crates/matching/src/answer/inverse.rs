@@ -6,9 +6,9 @@ use homolog_contract::result::{Correspondences, OutlierReason};
 use homolog_mesh::ClosestPointIndex;
 use rayon::prelude::*;
 
-/// For every vertex of the target the point of the moved source that is closest, as a point of the source, in the
-/// numbering of the inputs. Confidence and spread are those of the source vertices around it, blended. `None` where
-/// the moved source has coordinates that are not finite.
+/// For every vertex of the target the closest point of the moved source, as a point of the source, in the numbering of
+/// the inputs. Confidence and spread are interpolated from the source vertices around it. `None` if a coordinate of the
+/// moved source is not finite.
 ///
 /// Cost `O(n' log n)`.
 pub(crate) fn inverse(scene: &Scene<'_>, answer: &Displaced) -> Option<Correspondences> {

@@ -1,4 +1,4 @@
-//! The answer: images with their confidence, and all that is measured on them.
+//! The answer: images with their confidence, and measures of the correspondence.
 
 pub(crate) mod confidence;
 pub mod consistency;

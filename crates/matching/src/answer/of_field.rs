@@ -1,4 +1,4 @@
-//! The images of a displacement field as an answer.
+//! Converts the images of a displacement field to an answer.
 
 use super::displaced::{Displaced, Images, SmoothImages};
 use super::displacement::DisplacementAnswer;
@@ -9,7 +9,7 @@ use crate::starts::candidates::Start;
 use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument, UNRELIABLE_CONFIDENCE};
 use homolog_registration::RigidTransform;
 
-/// The answer of a displacement field, with confidences lowered where `reliability` is low.
+/// The answer of a displacement field; confidences are lowered if `reliability` is low.
 pub(crate) fn answered(
     scene: &Scene<'_>,
     starts: &[Start],
@@ -41,7 +41,7 @@ pub(crate) fn answered(
     }
 }
 
-/// A compared start as the result states it.
+/// Converts a compared pose to its result document.
 fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, answered: &RigidTransform) -> PoseDocument {
     let (origin, pose) = match compared.origin {
         Origin::Pose(k) => (starts[k].origin, starts[k].pose),

@@ -10,23 +10,24 @@ use homolog_contract::result::{
 pub struct MatchOutcome {
     /// The rigid transform.
     pub transform: TransformDocument,
-    /// The correspondences that support it.
+    /// The correspondences that support the transform.
     pub support: SupportDocument,
     /// Distance between the registered surfaces.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies of the answer; `None` where no energy was minimized.
+    /// Energies of the answer; `None` if no energy was minimized.
     pub energy: Option<EnergyDocument>,
     /// Quality of the map.
     pub topology: ConsistencyDocument,
-    /// How the map to the corresponding points deforms the source; `None` if no triangle has a counterpart.
+    /// Deformation of the source by the map to the corresponding points; `None` if no triangle has a counterpart.
     pub deformation: Option<DeformationDocument>,
-    /// The rounds of inference and registration; empty where no energy was minimized.
+    /// The rounds of inference and registration; empty if no energy was minimized.
     pub rounds: Vec<RoundDocument>,
     /// Candidate poses that were compared, the best first.
     pub poses: Vec<PoseDocument>,
-    /// Whether the answer can be relied on; `None` where no smooth displacement field could be fitted to say so.
+    /// Whether the answer can be relied on; `None` if no displacement field was fitted.
     pub reliability: Option<ReliabilityDocument>,
-    /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
+    /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is
+    /// arbitrary.
     pub ambiguous_axes: bool,
     /// The dense correspondence.
     pub correspondences: Correspondences,

@@ -1,4 +1,4 @@
-//! Which correspondences are outliers, and why.
+//! Outliers among the correspondences, and their reasons.
 
 use super::consistency::{LabelingError, check_labeling, keeps_edge};
 use homolog_primitives::graph::{EdgeGraph, Reach};
@@ -9,23 +9,23 @@ use rayon::prelude::*;
 pub enum OutlierReason {
     /// Its residual after registration exceeds the tolerance.
     Residual,
-    /// More than half of its edges break: the images of its neighbors do not lie within `r` edges of its own.
+    /// More than half of its edges break: the images of these neighbors do not lie within `r` edges of its own.
     Neighborhood,
     /// Both.
     Both,
 }
 
-/// For every source vertex why it is an outlier, or `None` where it is not.
+/// For every source vertex the reason why it is an outlier, or `None` if it is not.
 ///
 /// `variables` is the edge graph of the source, `labels` is `N_r` over the target; `residuals_mm` holds the distance of
-/// each registered source vertex from its label. A residual that is not a number exceeds every tolerance. A vertex next to
-/// outliers is not an outlier itself as long as at least half of its edges hold.
+/// each registered source vertex from its label. A residual that is not a number exceeds every tolerance. A vertex next
+/// to outliers is not an outlier itself if at least half of its edges hold.
 ///
 /// # Errors
-/// [`LabelingError`], also if there is not one residual a vertex.
+/// [`LabelingError`], also if the number of residuals is not that of the vertices.
 ///
 /// # Cost
-/// `O(|E→|)` where neighbors have images that are close, on all threads.
+/// `O(|E→|)` if neighbors have images that are close, on all threads.
 pub fn identify_outliers(
     variables: &EdgeGraph,
     labels: &Reach<'_>,
@@ -50,7 +50,7 @@ pub fn identify_outliers(
     Ok(reasons.collect())
 }
 
-/// Whether each vertex of `variables` loses more than half of its edges under `labeling`.
+/// For each vertex of `variables`, whether more than half of its edges break under `labeling`.
 fn breaks_neighborhood(variables: &EdgeGraph, labels: &Reach<'_>, labeling: &[u32]) -> Vec<bool> {
     (0..variables.n_vertices())
         .into_par_iter()
@@ -108,7 +108,7 @@ mod tests {
                 let labels = neighborhoods(&mesh, rings);
                 let mut labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
                 let v = mesh.vertices();
-                // From outside one ring more, no neighbor's neighborhood holds the planted label.
+                // A planted label from outside a neighborhood of one more ring lies in the neighborhood of no neighbor.
                 let wider = neighborhoods(&mesh, rings + 1);
                 for &at in &planted {
                     let is_far = |x: usize| (v[x] - v[at]).norm() > 8.0 && wider.distance_within(at, x).is_none();
@@ -127,7 +127,7 @@ mod tests {
 
     #[test]
     fn a_patch_that_moves_together_breaks_only_at_its_rim() {
-        // Half of a torus is rotated against the other half: edges break along the two seams only.
+        // Half of a torus is rotated against the other half: only edges along the two seams break.
         let (around, across) = (40u32, 12u32);
         let mesh = torus(10.0, 4.0, around, across, FaceArity::Quad);
         let labeling: Vec<u32> = (0..around * across)
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn exactly_half_of_the_edges_may_break() {
-        // A path of five variables over five labels in a row; the label of the last is torn off.
+        // A path of five variables over five labels in a row; the label of the last variable is far away.
         let path = EdgeGraph::from_edges(5, &[[0, 1], [1, 2], [2, 3], [3, 4]]);
         let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
         let found = identify_outliers(&path, &labels.reach(), &[0, 1, 2, 3, 0], &[0.0; 5], 1.0).unwrap();

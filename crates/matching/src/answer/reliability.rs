@@ -1,4 +1,4 @@
-//! Whether an answer can be relied on: do the two surfaces show one structure, in one pose, of one handedness?
+//! Whether an answer can be relied on: the two surfaces show one structure, in one pose, of one handedness.
 
 use super::displacement::DisplacementAnswer;
 use super::images::Image;
@@ -8,37 +8,30 @@ use crate::surface::side::Side;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 
-/// Likeness of the shapes below which they may be of different structures. Correlated curvatures speak for one structure; a
-/// deformation that draws triangles out speaks against it, because a smooth field bends any shape near any other, but only
-/// by stretching it; and so does a pose that fits hardly better than another.
-///
-/// The weights were chosen on pairs of hippocampi and of hippocampi with the putamen, the caudate nucleus and the amygdala of the same
-/// heads, which have 0.37 and less. Right answers have 0.45 and more: warps of 8 %, which are drawn out furthest, 0.45, pairs of hippocampi 0.49,
-/// molars and vertebrae, on which no weight was chosen, 0.58.
+/// Likeness of the shapes below which they may be of different structures. Correlated curvatures increase the likeness.
+/// Angular distortion lowers it: a smooth field brings any two shapes close to each other, but unlike shapes only with
+/// strong stretching. A small lead over other poses lowers it too.
 const MIN_LIKENESS: f64 = 0.41;
 const WEIGHT_OF_DISTORTION: f64 = 0.8;
 const WEIGHT_OF_LEAD: f64 = 0.3;
-/// Lead over other poses of the same handedness from which more says nothing.
+/// Most that the lead over other poses of the same handedness counts.
 const MAX_LEAD: f64 = 0.3;
-/// What the energy of near isometries of an answer that begins with one adds to the likeness: this weight on how far it is below
-/// an energy that says nothing, a mean over variables, up to a bound. Chosen on people of unlike build and bodies whose parts are of unlike
-/// proportions (24 right answers with likenesses of 0.28 and more and energies of 2.4 to 4.8), people matched with animals (10 answers,
-/// 0.25 and less, 5.2 to 8.1) and hippocampi with ellipsoids (6 answers, 0.15 to 0.46, 4.5 to 6.4).
+/// Contribution of the energy to the likeness of an answer that begins with a near isometry: a weight, times the
+/// difference between a neutral energy and the mean energy of a variable, up to a bound.
 const WEIGHT_OF_ENERGY: f64 = 0.3;
 const NEUTRAL_ENERGY: f64 = 5.2;
 const MAX_GAIN_OF_ENERGY: f64 = 0.2;
-/// Mean cosine between normals below which surfaces may show different structures. Right answers on realistic people in two poses,
-/// whose fingers and toes are no thicker than the surface is sampled, have 0.83 and more, with noise or a hole 0.81 (104 answers).
+/// Mean cosine between normals below which surfaces may show different structures.
 const MIN_NORMAL_AGREEMENT: f64 = 0.8;
-/// They do not if the deformation distorts less than this: the closest points of thin walls are often on their other side. Skulls have
-/// normal agreements of 0.55 to 0.62 at distortions of 0.07 and less, femurs matched with vertebrae 0.53 to 0.71 at 0.87 and more.
+/// Distortion below which normals may disagree: the closest points of thin walls are often on the wrong side of the
+/// wall.
 const DISTORTION_OF_WALLS: f64 = 0.2;
-/// Largest ratio of the lengths of two closed surfaces of one structure, as standard deviations along the first principal
-/// axis: among all 8,385 pairs of 130 hippocampi the maximum is 1.46 (99th percentile 1.27), for warps of 8 % it is 1.20;
-/// of 16,770 pairs of a hippocampus and the anterior part of another 99 % have 1.56 and more.
+/// Largest ratio of the lengths of two closed surfaces of one structure. The length is the standard deviation along the
+/// first principal axis.
 const MAX_LENGTH_RATIO: f64 = 1.5;
 
-/// Distance from the target, in mean target edges, beyond which an image has no counterpart; and the same at a boundary.
+/// Distance from the target, in mean target edges, beyond which an image has no counterpart; the second value holds at
+/// a boundary.
 const AWAY_EDGES: f64 = 4.0;
 const AWAY_EDGES_AT_BOUNDARY: f64 = 1.0;
 
@@ -54,7 +47,8 @@ pub(crate) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[
     images.iter().map(away).collect()
 }
 
-/// Ratio of the lengths of two closed surfaces, at least 1; 1 where one is open, because a part of it may be missing.
+/// Ratio of the lengths of two closed surfaces, at least 1. It is 1 if one is open, because a region of it may be
+/// missing.
 fn length_ratio(source: &Side, target: &Side) -> f64 {
     if source.is_open || target.is_open {
         return 1.0;
@@ -63,12 +57,12 @@ fn length_ratio(source: &Side, target: &Side) -> f64 {
     a.max(b) / a.min(b).max(f64::MIN_POSITIVE)
 }
 
-/// Standard deviation of the area of `mesh` along its first principal axis, mm; 0 where it is no number.
+/// Standard deviation of the area of `mesh` along its first principal axis, mm; 0 if it is undefined.
 fn length_mm(mesh: &SurfaceMesh) -> f64 {
     AreaMoments::of(mesh).map_or(0.0, |moments| moments.variance().symmetric_eigenvalues().max().sqrt())
 }
 
-/// How much the two shapes are alike by an answer of this reliability: about 1 for copies; see [`MIN_LIKENESS`].
+/// Likeness of the two shapes according to an answer of this reliability, about 1 for copies; see [`MIN_LIKENESS`].
 pub(crate) fn likeness(found: &ReliabilityDocument) -> f64 {
     let lead = found.runner_up_misfit.map_or(MAX_LEAD, |misfit| misfit - found.misfit).min(MAX_LEAD);
     found.curvature_agreement - WEIGHT_OF_DISTORTION * found.distortion.unwrap_or(0.0) + WEIGHT_OF_LEAD * lead
@@ -86,7 +80,8 @@ pub(crate) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
         reliable: true,
         reasons: Vec::new(),
         misfit: best.misfit,
-        // A shape with two equal sides fits its mirror image as well, and is no less alike for that.
+        // Only poses of the same handedness: a symmetric shape fits its mirror image as well, which does not lower its
+        // likeness.
         runner_up_misfit: runner_up,
         other_handedness_misfit: mirrored,
         curvature_agreement: found.agreement.curvature,
@@ -104,7 +99,7 @@ pub(crate) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
         Origin::Pose(_) | Origin::Straightened(_) => 0.0,
     };
     let unlike = likeness(&answer) + of_energy < MIN_LIKENESS || normals_disagree;
-    // The lengths of bent surfaces through space say nothing.
+    // Lengths are measured in space, so those of bent surfaces are not compared.
     if unlike || best.origin.is_pose() && length_ratio(source, target) > MAX_LENGTH_RATIO {
         reasons.push(UnreliableReason::UnlikeShape);
     }
@@ -191,10 +186,10 @@ mod tests {
             };
             reliability(&found, &side, &side).reliable
         };
-        // Without other poses the lead is 0.3: likenesses of 0.34, 0.49 and 0.14.
+        // Without other poses the lead is 0.3, so the likenesses are 0.34, 0.49 and 0.14.
         assert!(!is_reliable(None, 0.65) && is_reliable(Some(4.5), 0.65) && !is_reliable(Some(5.2), 0.65));
         assert!(is_reliable(None, 0.8) && !is_reliable(Some(6.0), 0.8));
-        // However low, it does not speak for shapes that have nothing in common.
+        // The lowest energy does not make shapes alike that have nothing in common.
         assert!(!is_reliable(Some(0.0), 0.45));
     }
 

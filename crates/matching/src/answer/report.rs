@@ -1,4 +1,4 @@
-//! The fourth stage: what is measured on the images of the source vertices, in the numbering of the inputs.
+//! The fourth stage: measures of the images of the source vertices, in the numbering of the inputs.
 
 use super::consistency::topology_consistency_within;
 use super::deformation::deformation;
@@ -22,7 +22,7 @@ use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 use std::borrow::Cow;
 
-/// The outcome of a match: what the stages before found and what is measured on it, in the numbering of the inputs.
+/// The outcome of a match: results of the previous stages and measures of the answer, in the numbering of the inputs.
 pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> MatchOutcome {
     let scene = &coarse.full;
     let energy = energy_of(coarse, posed, answer);
@@ -56,8 +56,8 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     }
 }
 
-/// Energies of the answer where an energy was minimized: of the images as labels, or of the labeling that the rounds found
-/// where the source is moved rigidly.
+/// Energies of the answer, if an energy was minimized: of the images as labels, or of the labeling of the rounds if the
+/// source is moved rigidly.
 fn energy_of(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> Option<EnergyDocument> {
     let Posed::Inference { problem, inferred } = posed else {
         return answer.inference.as_ref().map(|found| found.energy.clone());
@@ -68,13 +68,13 @@ fn energy_of(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> Opti
     })
 }
 
-/// Measurements on the pairs of vertices and images.
+/// Measures of the pairs of vertices and images.
 struct OfPairs {
     similarity: Option<SimilarityDocument>,
     support: SupportDocument,
     topology: ConsistencyDocument,
     deformation: Option<DeformationDocument>,
-    /// In the numbering of the inputs, without the map the other way.
+    /// In the numbering of the inputs, without the inverse map.
     correspondences: Correspondences,
 }
 
@@ -146,7 +146,7 @@ impl OfPairs {
     }
 }
 
-/// Labels as points on the target: each is a corner of one of its triangles.
+/// Labels as points on the target: each is a corner of a triangle.
 fn on_vertices(target: &SurfaceMesh, labeling: &[u32]) -> Vec<ClosestPoint> {
     let mut around: Vec<Option<[u32; 3]>> = vec![None; target.n_vertices()];
     for triangle in target.triangles() {
@@ -192,7 +192,7 @@ fn topology(
 ) -> ConsistencyDocument {
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let found = topology_consistency_within(source, variables, target, labeling, labels);
-    // Every label is a target vertex: minimizers and closest points give no other.
+    // Minimizers and closest points give target vertices only.
     let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
     let flipped = if transform.is_reflection() {
         found.n_triangles - found.n_degenerate - found.n_flipped
@@ -226,8 +226,8 @@ fn outlier_reasons(
     found.into_iter().map(reason).collect()
 }
 
-/// The similarity over the support, where the parameters ask for it and three pairs determine it; over all vertices with a
-/// counterpart where the answer is that of a source at the size of the target, of which few support a rigid transform.
+/// The similarity over the support, if the parameters ask for it and three pairs determine it. For a source scaled to
+/// the size of the target, of which few pairs support a rigid transform, it is over all vertices with a counterpart.
 fn similarity(
     scene: &Scene<'_>,
     answer: &Displaced,
@@ -257,7 +257,7 @@ fn similarity(
 fn transform_document(transform: &RigidTransform) -> TransformDocument {
     let q = transform.quaternion();
     let mirrored = transform.is_reflection();
-    // The quaternion is that of −R then.
+    // The quaternion of a reflection is that of −R.
     let in_origin = RigidTransform { rotation: -Matrix3::identity(), translation: Vector3::zeros() };
     TransformDocument {
         matrix: transform.matrix(),
@@ -270,9 +270,9 @@ fn transform_document(transform: &RigidTransform) -> TransformDocument {
     }
 }
 
-/// Distances of the vertices of both surfaces from the other, the source moved by `transform`.
+/// Distances of the vertices of each surface from the other, the source moved by `transform`.
 fn surface_distance(source: &Side, target: &Side, transform: &RigidTransform) -> SurfaceDistanceDocument {
-    // Moved the other way, the target meets the source where it is.
+    // The inverse transform moves the target onto the source in its original place.
     let back = transform.inverse();
     let distances = |from: &Side, to: &Side, motion: &RigidTransform| -> Vec<f64> {
         let moved: Vec<Point3<f64>> = from.mesh().vertices().iter().map(|p| motion.apply(p)).collect();

@@ -7,30 +7,30 @@ use homolog_registration::absolute_orientation;
 use nalgebra::{Matrix3, Point3};
 use rayon::prelude::*;
 
-/// Places of a form.
+/// Most places of a form.
 const N_PLACES: usize = 256;
 
 /// The bending-invariant form of one surface.
 #[derive(Clone, Debug)]
 pub(crate) struct BendingInvariantForm {
-    /// Vertices of the surface.
+    /// The vertex of the surface at each place.
     pub vertices: Vec<u32>,
-    /// Where they lie on the form, mm.
+    /// The places on the form, mm.
     pub points: Vec<Point3<f64>>,
-    /// For each place those nearest along the surface, itself first.
+    /// For each place the nearest places along the surface, itself first.
     pub neighbors: Vec<Vec<u32>>,
-    /// The place that each vertex of the surface is nearest to along the surface.
+    /// For each vertex of the surface the place nearest to it along the surface.
     pub place_of: Vec<u32>,
 }
 
 impl BendingInvariantForm {
-    /// The form of `mesh` over some of its sites; `None` where these are too few, or where a distance between them is infinite. Cost
-    /// `O(places³ + n)`.
+    /// The form of `mesh` over some of its sites; `None` if there are too few, or if a distance between them is
+    /// infinite. Cost `O(places³ + n)`.
     pub(crate) fn new(mesh: &SurfaceMesh, sites: &Sites) -> Option<BendingInvariantForm> {
         if sites.len() <= N_PLACES {
             return None;
         }
-        // Ascending, as canonical numbering keeps what is close in space close.
+        // Ascending: canonical numbering keeps places that are close in space close in the list.
         let mut chosen = sites.first(N_PLACES).to_vec();
         chosen.sort_unstable();
         let vertices: Vec<u32> = chosen.iter().map(|&site| sites.vertices[site as usize]).collect();
@@ -52,20 +52,20 @@ impl BendingInvariantForm {
         })
     }
 
-    /// Memory of the form of a surface with so many vertices, bytes.
+    /// Memory of the form of a surface with this many vertices, bytes.
     pub(crate) fn heap_bytes_over(n_vertices: usize) -> usize {
         let place = size_of::<Vec<u32>>() + size_of::<Point3<f64>>() + (NEIGHBORS + 1) * size_of::<u32>();
         N_PLACES * place + n_vertices * size_of::<u32>()
     }
 
-    /// The places on the surface itself, mm.
+    /// The places on the surface, mm.
     pub(crate) fn places(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
         self.vertices.iter().map(|&k| mesh.vertices()[k as usize]).collect()
     }
 }
 
-/// The rotation that takes the surroundings of each of the `sites` of a surface to the form: the site and its `neighbors` along the
-/// surface. A reflection where that fits better and `allow_reflection`.
+/// The rotation that takes the surroundings of each of the `sites` of a surface (the site and its `neighbors` along the
+/// surface) to the form. With `allow_reflection`, a reflection if it fits better.
 pub(crate) fn rotations(
     sites: &[Point3<f64>],
     form: &[Point3<f64>],
@@ -88,7 +88,7 @@ mod tests {
     use homolog_mesh::shapes::ellipsoid;
     use nalgebra::Vector3;
 
-    /// A round body with a thin tail, mm: the tail is a third of the length, and thinner than the spacing of sites.
+    /// A round body with a tail, mm. The tail is a third of the length, and thinner than the spacing of sites.
     fn with_a_tail() -> SurfaceMesh {
         let mesh = ellipsoid(Vector3::new(20.0, 10.0, 9.0), 5);
         let drawn_out = |p: &Point3<f64>| {
@@ -105,12 +105,12 @@ mod tests {
         let side = Side::new(&mesh);
         let form = side.form().unwrap();
         assert_eq!(form.vertices.len(), N_PLACES);
-        // The spacing is the root of a place's share of the area.
+        // The spacing is the root of the area per place.
         let spacing = (mesh.area() / N_PLACES as f64).sqrt();
         let places = form.places(&mesh);
         let away = |(p, &place): (&Point3<f64>, &u32)| (p - places[place as usize]).norm();
         let farthest = mesh.vertices().iter().zip(&form.place_of).map(away).fold(0.0, f64::max);
-        // A tail that is thinner than the spacing of sites has few of them.
+        // A tail thinner than the spacing of sites has few sites.
         assert!(farthest < 3.0 * spacing, "{farthest} mm from any place, {spacing} apart");
         let tip = places.iter().map(|p| p.x).fold(0.0, f64::max);
         assert!(tip > 38.0 - 2.0 * spacing, "the last place is at {tip} mm of 38");

@@ -1,4 +1,4 @@
-//! The levels of a surface: all vertices, those that a displacement field is fitted on, and those of the energy.
+//! The levels of a surface: all vertices, the vertices that a displacement field is fitted on, and those of the energy.
 
 use super::form::BendingInvariantForm;
 use super::side::Side;
@@ -6,33 +6,33 @@ use super::sites::Sites;
 use homolog_mesh::{Numbering, SurfaceMesh};
 use std::sync::{Arc, OnceLock};
 
-/// Above this number of vertices a field is fitted on a level of [`MIDDLE_VERTICES`]. The field has about forty functions,
-/// which more vertices do not determine better for structures of 1 mm voxels.
+/// Number of vertices above which a field is fitted on a level of [`MIDDLE_VERTICES`]. The field has about forty
+/// functions, which more vertices do not determine better for structures of 1 mm voxels.
 const MIDDLE_ABOVE: usize = 5000;
 const MIDDLE_VERTICES: usize = 3000;
 
-/// One surface on its levels, with all that does not depend on what it is matched with. Can be kept for further matches.
+/// The levels of one surface, with all values that do not depend on the other surface. Can be kept for further matches.
 pub struct Levels {
     /// All vertices, in canonical numbering.
     pub(crate) full: Arc<Side>,
-    /// The level that a displacement field is fitted on.
+    /// The level on which a displacement field is fitted.
     pub(crate) middle: Arc<Side>,
-    /// For every vertex of `full` the vertex of `middle` in whose cell it lies.
+    /// For every vertex of `full` the vertex of `middle` whose cell contains it.
     cells_of_middle: Vec<u32>,
-    /// Vertices of the level that an energy is minimized on; `None`: all.
+    /// Number of vertices of the level on which an energy is minimized; `None`: all.
     coarse_vertices: Option<u32>,
     energy: OnceLock<EnergyLevel>,
 }
 
-/// The level that an energy is minimized on.
+/// The level on which an energy is minimized.
 pub(crate) struct EnergyLevel {
     pub side: Arc<Side>,
-    /// For every vertex of the full surface the vertex of this level in whose cell it lies.
+    /// For every vertex of the full surface the vertex of this level whose cell contains it.
     pub cells: Vec<u32>,
 }
 
 impl Levels {
-    /// The levels of `mesh` for a match whose parameters have this `inference.coarse_vertices`.
+    /// The levels of `mesh` for a match with this `inference.coarse_vertices`.
     ///
     /// # Cost
     /// As [`Levels::numbered`].
@@ -40,7 +40,7 @@ impl Levels {
         Levels::numbered(mesh, &Numbering::identity(mesh.n_vertices()), coarse_vertices)
     }
 
-    /// The same; answers name a vertex of `mesh` by its original in `numbering`.
+    /// The levels of `mesh`, whose vertices the outcome names by their originals in `numbering`.
     ///
     /// # Cost
     /// `O(n log n)`, and `O(n · 3000)` above 5,000 vertices, on one thread.
@@ -48,7 +48,7 @@ impl Levels {
         let full = Arc::new(Side::numbered(mesh, numbering));
         let n = full.mesh().n_vertices();
         let mut cells: Vec<u32> = (0..n as u32).collect();
-        // Without a coarse level of the energy there is no middle one either: the energy is that of all vertices.
+        // Without a coarse level the energy has all vertices as variables, so there is no middle level either.
         let wanted = coarse_vertices.is_some() && n > MIDDLE_ABOVE;
         let middle = match wanted.then(|| Side::coarser(&full, MIDDLE_VERTICES, false)).flatten() {
             Some((side, of_full)) => {
@@ -60,17 +60,17 @@ impl Levels {
         Levels { full, middle, cells_of_middle: cells, coarse_vertices, energy: OnceLock::new() }
     }
 
-    /// Vertices of the surface that features are measured on, of a surface of `n`.
+    /// Number of vertices on which features of a surface of `n` vertices are measured.
     pub(crate) fn n_measured(n: usize, coarse_vertices: Option<u32>) -> usize {
         if coarse_vertices.is_some() && n > MIDDLE_ABOVE { MIDDLE_VERTICES } else { n }
     }
 
-    /// The vertex of the middle level in whose cell a vertex lies.
+    /// The vertex of the middle level whose cell contains `vertex`.
     pub(crate) fn middle_of(&self, vertex: u32) -> u32 {
         self.cells_of_middle[vertex as usize]
     }
 
-    /// For every vertex of the middle level the vertex of the full surface that it is. Cost `O(n)`.
+    /// The vertex of the full surface at every vertex of the middle level. Cost `O(n)`.
     pub(crate) fn full_of_middle(&self) -> Vec<u32> {
         let mut found = vec![0; self.middle.mesh().n_vertices()];
         for (vertex, &cell) in self.cells_of_middle.iter().enumerate() {
@@ -82,7 +82,7 @@ impl Levels {
         found
     }
 
-    /// The level that an energy is minimized on, made when a match asks for it.
+    /// The level on which an energy is minimized, built on first use.
     pub(crate) fn energy(&self) -> &EnergyLevel {
         self.energy.get_or_init(|| {
             let n_sites = self.coarse_vertices.map(|n| n as usize);
@@ -96,22 +96,22 @@ impl Levels {
         })
     }
 
-    /// The surface on whose vertices the energy is, mm.
+    /// The surface whose vertices are the variables or labels of the energy, mm.
     pub fn energy_mesh(&self) -> &SurfaceMesh {
         self.energy().side.mesh()
     }
 
-    /// Whether the energy is that of all vertices.
+    /// Whether the energy is over all vertices.
     pub(crate) fn is_direct(&self) -> bool {
         Arc::ptr_eq(&self.full, &self.energy().side)
     }
 
-    /// Memory of the levels, bytes, with all parts that matches compute on first use: an upper bound.
+    /// Memory of the levels, bytes, including all parts that matches compute on first use: an upper bound.
     pub fn heap_bytes(&self) -> usize {
         let middle = if Arc::ptr_eq(&self.middle, &self.full) { 0 } else { self.middle.heap_bytes() };
         let n = self.middle.mesh().n_vertices();
-        // What a vertex of the finer level takes and the number of its site, and half as much again: a coarse level has triangles where the
-        // finer one may have quads, and more of them around tunnels.
+        // Memory of a vertex of the finer level and of its site number, times 1.5: a coarse level has triangles where
+        // the finer one may have quads, and more of them around tunnels.
         let of_sites =
             |n_sites: u32| 3 * (self.middle.heap_bytes() / n.max(1) + size_of::<u32>()) * n.min(n_sites as usize) / 2;
         let energy = self.coarse_vertices.map_or(0, of_sites);

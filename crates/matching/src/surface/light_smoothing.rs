@@ -1,7 +1,7 @@
-//! One step of heat flow without a factorization, for small scales, where a few steps of conjugate gradients suffice.
+//! One step of heat flow by conjugate gradients, for small scales.
 //!
-//! [`homolog_geometry::curvature::ScaleSpace`] factorizes its operator, which serves any scale. At 0.7 mm on edges of 0.9 mm the
-//! operator is nearly its diagonal: about ten steps solve it, at a small part of the cost.
+//! [`homolog_geometry::curvature::ScaleSpace`] factorizes its operator, which then serves any scale. At 0.7 mm on edges
+//! of 0.9 mm the operator is nearly diagonal, and about ten steps solve it at a fraction of the cost.
 //!
 //! Sources: Desbrun, Meyer, Schröder, Barr 1999 (the implicit step); Hestenes, Stiefel 1952 (conjugate gradients).
 
@@ -9,12 +9,12 @@ use homolog_geometry::curvature::{cotangent_weights, vertex_areas};
 use homolog_mesh::SurfaceMesh;
 use nalgebra::{Point3, Vector3};
 
-/// Ends when the residual is this share of the first, far below the noise of any scan.
+/// Residual, relative to the first, at which the iteration ends; far below the noise of any scan.
 const TOLERANCE: f64 = 1e-6;
-/// Most steps. Only surfaces with needle-like faces come near that number, and they are nearly smooth by then.
+/// Most steps. Only surfaces with needle-like faces come near this number, and they are nearly smooth by then.
 const MAX_STEPS: usize = 100;
 
-/// `(A + tL)` in rows, `t = σ²/2`.
+/// Rows of `(A + tL)`, `t = σ²/2`.
 struct Operator {
     offsets: Vec<usize>,
     entries: Vec<(u32, f64)>,
@@ -56,22 +56,22 @@ impl Operator {
     }
 }
 
-/// `Σ a_i · b_i`, axis by axis: the three axes are three systems.
+/// `Σ a_i · b_i` for each axis: the three axes are three systems.
 fn dots(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> Vector3<f64> {
     a.iter().zip(b).fold(Vector3::zeros(), |sum, (p, q)| sum + p.component_mul(q))
 }
 
-/// `a / b`, 0 where `b` is 0: that axis is solved.
+/// `a / b` for each axis; 0 where `b` is 0, as that axis is solved.
 fn ratio(a: &Vector3<f64>, b: &Vector3<f64>) -> Vector3<f64> {
     a.zip_map(b, |a, b| if b > 0.0 { a / b } else { 0.0 })
 }
 
-/// `mesh` at scale `scale_mm` (`σ`): same faces, smoothed positions. The same as
+/// `mesh` at scale `scale_mm` (`σ`): same faces, smoothed positions. Equals
 /// [`homolog_geometry::curvature::ScaleSpace::smoothed`] to a millionth. `O(n)` for small scales, on one thread.
 pub(crate) fn lightly_smoothed(mesh: &SurfaceMesh, scale_mm: f64) -> SurfaceMesh {
     let center = mesh.centroid();
     let mut areas = vertex_areas(mesh);
-    // As in scale space: a vertex without area would leave the system without a solution.
+    // As in [`homolog_geometry::curvature::ScaleSpace`]: a vertex without area would make the system singular.
     let floor = 1e-6 * areas.iter().sum::<f64>() / areas.len() as f64;
     areas.iter_mut().for_each(|area| *area = area.max(floor));
     let operator = Operator::new(mesh, &areas, scale_mm);
@@ -104,7 +104,7 @@ pub(crate) fn lightly_smoothed(mesh: &SurfaceMesh, scale_mm: f64) -> SurfaceMesh
         now = next;
     }
     let smoothed = x.iter().map(|p| Point3::from(center.coords + p)).collect();
-    // Only degenerate faces give numbers that are not finite; such surfaces are not smoothed.
+    // Only degenerate faces give numbers that are not finite. Such surfaces are not smoothed.
     mesh.with_vertices(smoothed).unwrap_or_else(|_| mesh.clone())
 }
 

@@ -1,4 +1,4 @@
-//! Values of one surface, whatever it is matched with.
+//! Values of one surface, independent of the other.
 
 pub(crate) mod form;
 pub(crate) mod levels;

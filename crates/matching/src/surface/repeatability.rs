@@ -1,11 +1,13 @@
-//! How well a noisy surface repeats what is measured on it: the correlation that two measurements of one shape can reach.
+//! Repeatability of measurements on a noisy surface: the largest correlation that two measurements of one shape can
+//! reach.
 //!
-//! Where noise is all that differs, curvatures of two samplings of one shape are correlated by less than 1, however well they correspond:
-//! by the geometric mean of what either surface repeats of itself. What noise there is shows in the surface: it is what smoothing
-//! takes away. Given to other vertices it makes another sampling of the same shape, on which the same is measured again.
+//! The noise of two samplings of one shape limits the correlation of their curvatures, even at true corresponding
+//! points, to the geometric mean of their repeatabilities. The noise of a surface is estimated as the part that
+//! smoothing removes. Reassigned to other vertices it gives another sampling of the same shape, whose curvatures are
+//! compared with the first.
 //!
-//! Source: Spearman, "The proof and measurement of association between two things", 1904 (attenuation); Efron, "Bootstrap methods", 1979
-//! (residuals at other places).
+//! Source: Spearman, "The proof and measurement of association between two things", 1904 (attenuation); Efron,
+//! "Bootstrap methods", 1979 (reassigned residuals).
 
 use super::robust::{Standard, correlation};
 use super::smooth::{LARGEST_SCALE, SmoothSurface};
@@ -15,14 +17,15 @@ use nalgebra::Point3;
 use rand_core::{Rng, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// Seed of the places that residuals are given to.
+/// Seed of the reassignment of residuals.
 const SEED: u64 = 1;
 
-/// Correlation of the mean curvatures at the largest scale of `raw`, whose smoothed surface is `smooth`, with those of another sampling with
-/// as much noise, in `[0, 1]`; 1 where it cannot be measured. `root_mm` is the root of the area that scales are relative to.
+/// Correlation of the mean curvatures at the largest scale of `raw`, whose smoothed surface is `smooth`, with those of
+/// another sampling of equal noise, in `[0, 1]`; 1 if it cannot be measured. `root_mm` is the root of the area, the
+/// unit of scales.
 ///
 /// # Cost
-/// `O(n)`; that of the scale space of one surface.
+/// `O(n)`, plus the scale space of one surface.
 pub(crate) fn repeatability(raw: &SurfaceMesh, smooth: &SmoothSurface, root_mm: f64) -> f64 {
     let points = smooth.mesh.vertices();
     let mut heights: Vec<f64> =
@@ -44,7 +47,7 @@ pub(crate) fn repeatability(raw: &SurfaceMesh, smooth: &SmoothSurface, root_mm: 
     if found.is_finite() { found.clamp(0.0, 1.0) } else { 1.0 }
 }
 
-/// Fisher and Yates' shuffle.
+/// Fisher–Yates shuffle.
 fn shuffle(values: &mut [f64]) {
     let mut draws = Xoshiro256PlusPlus::seed_from_u64(SEED);
     for i in (1..values.len()).rev() {
@@ -61,7 +64,7 @@ mod tests {
     use homolog_mesh::shapes::ellipsoid;
     use nalgebra::Vector3;
 
-    /// A surface with bumps, of which every vertex is moved by noise of this standard deviation, mm, in each direction.
+    /// A surface with bumps. Every vertex is moved by noise of this standard deviation, mm, along each axis.
     fn noisy(seed: u64, noise_mm: f64) -> SurfaceMesh {
         let mesh = ellipsoid(Vector3::new(18.0, 9.0, 7.0), 4);
         let mut number = numbers(seed);
@@ -79,7 +82,7 @@ mod tests {
             let (a, b) = (noisy(1, noise_mm), noisy(2, noise_mm));
             let root_mm = a.area().sqrt();
             let (smooth_a, smooth_b) = smooth_pair(&a, &b, root_mm, false).unwrap();
-            // Of the features at the largest scale the first is mean curvature.
+            // The first of the two features at the largest scale is mean curvature.
             let n = super::super::smooth::N_FEATURES;
             let of = |side: &SmoothSurface, i: usize| side.features[(i + 1) * n - 2];
             let both: Vec<(f64, f64)> = (0..a.n_vertices()).map(|i| (of(&smooth_a, i), of(&smooth_b, i))).collect();

@@ -1,15 +1,16 @@
-//! Statistics of what is measured at the vertices of a surface.
+//! Robust statistics of values at the vertices of a surface.
 
 /// Factor from the median absolute deviation to the standard deviation of normally distributed values.
 pub(crate) const STD_OF_MAD: f64 = 1.4826;
 
-/// The median of `values`, the upper one of two; reorders them. `values` must not be empty.
+/// The median of `values`, of an even number the upper one of the middle two; reorders `values`, which must not be
+/// empty.
 pub(crate) fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
     *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
-/// Center and scale of measurements, neither of which outliers move.
+/// Robust center and scale of measurements.
 pub(crate) struct Standard {
     center: f64,
     scale: f64,
@@ -19,12 +20,13 @@ impl Standard {
     /// Measurements are clamped to this many robust standard deviations from the median.
     const CAP: f64 = 3.0;
 
-    /// The median and the scaled median absolute deviation of all values of `a` and `b`, which must not be empty.
+    /// The median and the scaled median absolute deviation of the values of `a` and `b` together, which must not be
+    /// empty.
     pub(crate) fn of_both(a: &[f64], b: &[f64]) -> Standard {
         let mut all: Vec<f64> = a.iter().chain(b).copied().collect();
         let center = median(&mut all);
         all.iter_mut().for_each(|x| *x = (*x - center).abs());
-        // A sphere has the same curvature everywhere; the floor avoids a division by 0.
+        // The curvature of a sphere is constant; the floor avoids a division by 0.
         let scale = (STD_OF_MAD * median(&mut all)).max(f64::MIN_POSITIVE.sqrt());
         Standard { center, scale }
     }
@@ -35,7 +37,7 @@ impl Standard {
     }
 }
 
-/// Pearson's correlation; 0 where one side does not vary.
+/// Pearson's correlation; 0 if one side is constant.
 pub(crate) fn correlation(pairs: &[(f64, f64)]) -> f64 {
     let n = pairs.len() as f64;
     let (a, b) = pairs.iter().fold((0.0, 0.0), |(a, b), p| (a + p.0 / n, b + p.1 / n));
@@ -55,7 +57,7 @@ mod tests {
     fn correlation_is_that_of_pearson() {
         let line: Vec<(f64, f64)> = (0..9).map(|k| (f64::from(k), 3.0 - 2.0 * f64::from(k))).collect();
         assert!((correlation(&line) + 1.0).abs() < 1e-12);
-        // Hand-computed: x 1 2 3, y 1 3 2.
+        // Computed by hand: x 1 2 3, y 1 3 2.
         assert!((correlation(&[(1.0, 1.0), (2.0, 3.0), (3.0, 2.0)]) - 0.5).abs() < 1e-12);
         assert_eq!(correlation(&[(1.0, 2.0), (1.0, 3.0)]), 0.0);
     }

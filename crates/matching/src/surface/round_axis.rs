@@ -1,4 +1,4 @@
-//! The axis about which a surface is most nearly round, and rotations about it: the motion that shows least.
+//! The axis about which a surface is most nearly round, and rotations about it, which change the surface least.
 
 use homolog_registration::{RigidTransform, weighted_moments};
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
@@ -13,7 +13,7 @@ pub(crate) struct RoundAxis {
 }
 
 impl RoundAxis {
-    /// That of a surface with these vertices, mm, and their areas. `None` where a number is not finite.
+    /// The axis of a surface with these vertices, mm, and their areas. `None` if a number is not finite.
     pub(crate) fn of(vertices: &[Point3<f64>], areas: &[f64]) -> Option<Self> {
         let (center, scatter) = weighted_moments(vertices, areas, areas.iter().sum())?;
         let eigen = scatter.symmetric_eigen();

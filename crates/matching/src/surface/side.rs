@@ -1,4 +1,4 @@
-//! One surface of a match at one level, with all that does not depend on what it is matched with.
+//! One surface of a match at one level, with all values that do not depend on the other surface.
 
 use super::form::BendingInvariantForm;
 use super::light_smoothing::lightly_smoothed;
@@ -11,27 +11,27 @@ use nalgebra::Vector3;
 use std::mem::size_of;
 use std::sync::{Arc, OnceLock};
 
-/// Scale of the positions that poses and displacement fields are fitted to, in roots of the area: it removes the steps of
-/// voxels.
+/// Scale of the positions that poses and displacement fields are fitted to, in roots of the area. It removes voxel
+/// steps.
 pub(crate) const POSITION_SCALE: f64 = 0.0175;
 
-/// A rim longer than this many roots of the area makes a surface open. A cut through an end of a structure is longer;
-/// the holes that a segmentation or a scanner left are not, and nothing is missing there.
+/// Length of a rim above which a surface is open, in roots of the area. Cuts through an end of a structure are longer;
+/// holes of a segmentation or scan are shorter, and nothing is missing there.
 const OPEN: f64 = 0.2;
 
-/// One surface at one level. Immutable: the parts that are computed on first use depend on nothing else. They are computed
-/// on one thread, so that a thread that waits for them never waits for work that it has queued itself.
+/// One surface at one level. Immutable: the parts that are computed on first use depend only on this surface. They are
+/// computed on one thread, so that a thread that waits for them never waits for work that it has queued itself.
 pub(crate) struct Side {
-    /// In canonical numbering, with the way back to the numbering in which the match is answered.
+    /// In canonical numbering, with the map back to the numbering of the outcome.
     pub surface: CanonicalMesh,
     /// Unit normals of its vertices.
     pub normals: Vec<Vector3<f64>>,
-    /// Square root of the area of the surface with all its vertices.
+    /// Square root of the area of the surface with all its vertices, mm.
     pub root_mm: f64,
-    /// Whether the surface with all its vertices is open: a part of it may be missing.
+    /// Whether the surface with all its vertices is open, so that a region of it may be missing.
     pub is_open: bool,
-    /// The finer surface on which features are measured instead, and the vertex of it that each vertex is: curvature of a
-    /// coarse level would be that of its triangles.
+    /// The finer surface on which features are measured instead, and its vertex at each vertex of this one: curvature
+    /// on a coarse level would depend on its triangles.
     measured_on: Option<(Arc<Side>, Vec<u32>)>,
     closest: OnceLock<SurfaceIndex>,
     light: OnceLock<LightSide>,
@@ -44,7 +44,7 @@ pub(crate) struct LightSide {
     pub mesh: SurfaceMesh,
     /// Areas of its vertices, mm².
     pub areas: Vec<f64>,
-    /// Its closest points.
+    /// Closest points of the smoothed surface.
     pub closest: SurfaceIndex,
 }
 
@@ -53,7 +53,7 @@ impl Side {
         Side::numbered(mesh, &Numbering::identity(mesh.n_vertices()))
     }
 
-    /// The side of `mesh`, whose vertices answers name by their originals in `numbering`.
+    /// The side of `mesh`, whose vertices the outcome names by their originals in `numbering`.
     pub(crate) fn numbered(mesh: &SurfaceMesh, numbering: &Numbering) -> Self {
         let CanonicalMesh { mesh, numbering: canonical } = canonicalize(mesh);
         let surface = CanonicalMesh { mesh, numbering: canonical.over(numbering) };
@@ -73,8 +73,8 @@ impl Side {
         }
     }
 
-    /// A coarser level of `finer` of about `n_sites` vertices, and for every vertex of `finer` the one it belongs to.
-    /// `None` where `finer` is that coarse already. If `inherits`, features are measured on `finer`.
+    /// A coarser level of `finer` with about `n_sites` vertices, and for every vertex of `finer` its vertex there.
+    /// `None` if `finer` has no more vertices than that. If `inherits`, features are measured on `finer`.
     pub(crate) fn coarser(finer: &Arc<Side>, n_sites: usize, inherits: bool) -> Option<(Side, Vec<u32>)> {
         let CoarseSurface { mesh, sites, cells } = coarsen(finer.mesh(), n_sites)?;
         let numbering = finer.surface.numbering.select(&sites);
@@ -102,12 +102,12 @@ impl Side {
         &self.surface.mesh
     }
 
-    /// The finer surface on which features are measured, and which of its vertices each vertex is, if it is not this one.
+    /// The finer surface on which features are measured, if any, and its vertex at each vertex of this one.
     pub(crate) fn measured_on(&self) -> Option<(&Side, &[u32])> {
         self.measured_on.as_ref().map(|(finer, sites)| (finer.as_ref(), sites.as_slice()))
     }
 
-    /// Radius of estimators whose radius is not stated.
+    /// Default radius of curvature estimators, mm.
     pub(crate) fn feature_radius_mm(&self) -> f64 {
         self.measured_on().map_or_else(|| default_radius_mm(self.mesh()), |(finer, _)| finer.feature_radius_mm())
     }
@@ -122,7 +122,7 @@ impl Side {
         self.form.get_or_init(|| BendingInvariantForm::new(&self.light().mesh, self.sites())).as_ref()
     }
 
-    /// The places between which the energy of near isometries is stated, on the lightly smoothed surface.
+    /// The sites of the energy of near isometries, on the lightly smoothed surface.
     pub(crate) fn sites(&self) -> &Sites {
         self.sites.get_or_init(|| Sites::new(&self.light().mesh))
     }
@@ -135,8 +135,8 @@ impl Side {
         })
     }
 
-    /// Memory of this level with all parts that are computed on first use but its form and its [`Sites`], bytes. A finer surface on which features are
-    /// measured is not counted.
+    /// Memory of this level, bytes, including all parts that are computed on first use except its form and its
+    /// [`Sites`]. A finer surface on which features are measured is not counted.
     pub(crate) fn heap_bytes(&self) -> usize {
         let (n, mesh) = (self.mesh().n_vertices(), self.mesh().heap_bytes());
         let own = mesh + n * (size_of::<u32>() + size_of::<Vector3<f64>>());

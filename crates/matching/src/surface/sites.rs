@@ -1,5 +1,5 @@
-//! The places of one surface between which the energy of near isometries is stated, and the distances along the surface between
-//! them. Values of one surface: computed once, whatever it is matched with.
+//! Sites of one surface, the variables and labels of the energy of near isometries, and the distances between them
+//! along the surface. Computed once per surface.
 
 use homolog_geometry::curvature::vertex_areas;
 use homolog_geometry::geodesic::distances_among;
@@ -9,33 +9,33 @@ use homolog_primitives::points::farthest_points;
 use nalgebra::Point3;
 use std::mem::size_of;
 
-/// Sites of a surface. As labels they lie 0.044 roots of the area apart.
+/// Number of sites of a surface. Their spacing as labels is 0.044 roots of the area.
 pub(crate) const N_SITES: usize = 512;
 
-/// Evenly spread places of one surface.
+/// Evenly spread sites of one surface.
 #[derive(Debug, Clone)]
 pub(crate) struct Sites {
-    /// The vertex of the surface that each site is.
+    /// The vertex of the surface at each site.
     pub vertices: Vec<u32>,
-    /// The site of the cell that each vertex of the surface belongs to.
+    /// For each vertex of the surface the site whose cell contains it.
     pub cells: Vec<u32>,
     /// Triangles between sites.
     pub triangles: Vec<[u32; 3]>,
-    /// Sites, each as far as possible from all before it.
+    /// Sites in farthest-point order: each is as far as possible from all previous ones.
     pub order: Vec<u32>,
     /// Distances between sites along the surface, in roots of its area, row by row.
     pub distances: Vec<f32>,
-    /// Root mean square distance of each site from all places of the surface, in roots of its area.
+    /// Root mean square distance of each site from all points of the surface, in roots of its area.
     pub eccentricity: Vec<f64>,
 }
 
-/// Some places of a surface and the distances along it between them.
+/// Some sites of a surface, and the distances between them along the surface.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Places<'a> {
     /// Distances between all sites, row by row.
     pub distances: &'a [f32],
     pub n_sites: usize,
-    /// The site that each place is; all sites where none are listed.
+    /// The site at each place; `None`: all sites.
     pub which: Option<&'a [u32]>,
 }
 
@@ -52,8 +52,8 @@ impl Places<'_> {
 }
 
 impl Sites {
-    /// The sites of `mesh`, which is in canonical numbering and smoothed to the scale of its noise. Cost `O(n log n + sites² · 12)` for
-    /// each of about ten sweeps.
+    /// The sites of `mesh`, which must be in canonical numbering and smoothed to the scale of its noise. Cost `O(n log
+    /// n + sites² · 12)` for each of about ten sweeps.
     pub(crate) fn new(mesh: &SurfaceMesh) -> Sites {
         let n = mesh.n_vertices();
         let coarse = coarsen(mesh, N_SITES);
@@ -79,7 +79,7 @@ impl Sites {
         self.vertices.len()
     }
 
-    /// Distances of a site from all sites.
+    /// Distances of `site` from all sites.
     pub(crate) fn row(&self, site: usize) -> &[f32] {
         &self.distances[site * self.len()..][..self.len()]
     }
@@ -94,17 +94,17 @@ impl Sites {
         Places { distances: &self.distances, n_sites: self.len(), which: None }
     }
 
-    /// The sites that are listed, as places.
+    /// The sites of `which`, as places.
     pub(crate) fn picked<'a>(&'a self, which: &'a [u32]) -> Places<'a> {
         Places { distances: &self.distances, n_sites: self.len(), which: Some(which) }
     }
 
-    /// Where the sites lie on `mesh`, whose vertices they are, mm.
+    /// Positions of the sites on `mesh`, mm.
     pub(crate) fn places(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
         self.vertices.iter().map(|&v| mesh.vertices()[v as usize]).collect()
     }
 
-    /// Memory of the sites of a surface with so many vertices, bytes.
+    /// Memory of the sites of a surface with this many vertices, bytes.
     pub(crate) fn heap_bytes_over(n_vertices: usize) -> usize {
         let n = n_vertices.min(N_SITES);
         n * n * size_of::<f32>() + n * (size_of::<f64>() + size_of::<[u32; 8]>()) + n_vertices * size_of::<u32>()

@@ -11,14 +11,14 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
-/// Scales of the features, in roots of the area: finer than those that find the pose, because the poses are close already.
-/// The first is that of the normals as well.
+/// Scales of the features, in roots of the area. They are finer than those of the pose search, because the poses are
+/// already close. The first is also the scale of the normals.
 const FEATURE_SCALES: [f64; 3] = [0.025, 0.05, LARGEST_SCALE];
-/// The largest of them.
+/// The largest scale of the features, in roots of the area.
 pub(crate) const LARGEST_SCALE: f64 = 0.0875;
-/// Gaussian and mean curvature at each scale.
+/// Number of features: Gaussian and mean curvature at each scale.
 pub(crate) const N_FEATURES: usize = 2 * FEATURE_SCALES.len();
-/// One surface, prepared.
+/// One surface, prepared for a displacement field.
 pub(crate) struct SmoothSurface {
     /// Positions at [`POSITION_SCALE`].
     pub mesh: SurfaceMesh,
@@ -26,24 +26,24 @@ pub(crate) struct SmoothSurface {
     pub normals: Vec<Vector3<f64>>,
     /// Area of each vertex, mm².
     pub areas: Vec<f64>,
-    /// The area that its displacement counts for: less at the rim of a part.
+    /// Weight of the displacement of each vertex, mm²: its area, reduced at the rim of a part.
     counted: Vec<f64>,
-    /// How many times as coarse as those of a surface without noise all scales are.
+    /// Factor on all scales: 1 for a surface without noise, larger for noisy ones.
     pub coarsening: f64,
     /// `n × N_FEATURES`.
     pub features: Vec<f64>,
-    /// Its closest points, once they were asked for.
+    /// Its closest points, built on first use.
     closest: OnceLock<SurfaceIndex>,
 }
 
 /// Every `k`-th vertex of a surface, with areas that sum to that of the surface.
 pub(crate) struct Thinned {
-    /// Their indices.
+    /// Indices of the vertices.
     pub vertices: Vec<usize>,
     pub points: Vec<Point3<f64>>,
     pub normals: Vec<Vector3<f64>>,
     pub areas: Vec<f64>,
-    /// Areas that their displacements count for.
+    /// Weights of the displacements, mm².
     pub counted: Vec<f64>,
     pub features: Vec<f64>,
 }
@@ -71,7 +71,8 @@ impl<'a> Flow<'a> {
         median(&mut moved)
     }
 
-    /// The surface without features, and their values as they are; all scales `coarsening` times as coarse.
+    /// The surface without features, and the values of the features before standardization; all scales are multiplied
+    /// by `coarsening`.
     pub(crate) fn surface(self, coarsening: f64) -> Result<(SmoothSurface, Vec<Vec<f64>>), MatchError> {
         let at_scales: Vec<(SurfaceMesh, Curvatures)> = FEATURE_SCALES
             .into_par_iter()
@@ -104,8 +105,8 @@ fn at(space: &ScaleSpace<'_>, scale_mm: f64) -> Result<SurfaceMesh, MatchError> 
 }
 
 impl SmoothSurface {
-    /// Lets vertices count less the closer they are to the rim, within `width_mm` or so: what they are assigned to lies partly beyond it,
-    /// where this surface is missing, and would draw them outwards.
+    /// Reduces the weight of vertices near the rim, within about `width_mm`. Their counterparts lie partly beyond the
+    /// rim, where this surface is missing, and would pull them outwards.
     pub(crate) fn discount_rim(&mut self, width_mm: f64) {
         let Some(on_rim) = self.mesh.boundary_vertices() else { return };
         let points = self.mesh.vertices();
@@ -137,7 +138,8 @@ impl SmoothSurface {
         AssignmentTarget::new(&self.samples())
     }
 
-    /// At most `n` vertices. Canonical numbering follows a curve through space, so every `k`-th is an even sample.
+    /// At most `n` vertices. Canonical numbering follows a space-filling curve, so every `k`-th vertex is an even
+    /// sample.
     pub(crate) fn thinned(&self, n: usize) -> Thinned {
         let step = self.mesh.n_vertices().div_ceil(n);
         let picked = || (0..self.mesh.n_vertices()).step_by(step);

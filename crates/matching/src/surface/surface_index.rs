@@ -8,7 +8,7 @@ use nalgebra::{Point3, Vector3};
 pub(crate) struct SurfaceIndex {
     pub index: ClosestPointIndex,
     normals: Vec<Vector3<f64>>,
-    /// Whether a vertex is on the boundary, of an open surface.
+    /// For an open surface, whether each vertex is on the boundary.
     on_boundary: Option<Vec<bool>>,
 }
 
@@ -17,12 +17,12 @@ impl SurfaceIndex {
         SurfaceIndex::with_normals(surface, surface.vertex_normals())
     }
 
-    /// As [`SurfaceIndex::new`], with other unit normals of the vertices, such as those of a smoother surface.
+    /// As [`SurfaceIndex::new`], with other unit normals of the vertices, for example of a smoother surface.
     pub(crate) fn with_normals(surface: &SurfaceMesh, normals: Vec<Vector3<f64>>) -> Self {
         SurfaceIndex { index: ClosestPointIndex::new(surface), normals, on_boundary: surface.boundary_vertices() }
     }
 
-    /// Whether `found` lies on the boundary of the surface.
+    /// Whether `found` is on the boundary of the surface.
     pub(crate) fn is_at_rim(&self, found: &ClosestPoint) -> bool {
         self.on_boundary.as_ref().is_some_and(|ends| found.is_between(|k| ends[k]))
     }
@@ -32,7 +32,7 @@ impl SurfaceIndex {
         (found.point, blended.try_normalize(1e-12).unwrap_or_else(Vector3::z))
     }
 
-    /// Memory that an index over `surface` takes at most, bytes.
+    /// Most memory of an index over `surface`, bytes.
     pub(crate) fn heap_bytes_over(surface: &SurfaceMesh) -> usize {
         ClosestPointIndex::heap_bytes_over(surface)
             + surface.n_vertices() * (size_of::<Vector3<f64>>() + size_of::<bool>())

@@ -1,4 +1,4 @@
-//! Two surfaces: what is measured between them before any fit.
+//! Values of two surfaces before any fit.
 
 pub(crate) mod assignment;
 pub(crate) mod lengths;

@@ -1,4 +1,4 @@
-//! The prior of a smooth displacement, in multiples of the size of what is displaced.
+//! The prior of a smooth displacement, relative to the size of the displaced surface.
 
 use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
 
@@ -7,7 +7,7 @@ use homolog_registration::deformation::{GaussianKernel, SmoothPrior};
 pub(crate) struct PriorOptions {
     /// Width of the field's Gaussian process in diagonals of the source.
     pub width: f64,
-    /// Its standard deviation, and that of the translation, in diagonals.
+    /// Standard deviation of the process, and of the translation, in diagonals.
     pub amplitude: f64,
     /// Standard deviation of the entries of the linear part.
     pub linear: f64,

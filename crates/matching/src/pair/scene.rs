@@ -1,4 +1,4 @@
-//! What every step of a match reads: both surfaces on one level, the parameters, and the observer.
+//! The inputs of every step of a match: both surfaces on one level, the parameters, and the observer.
 
 use crate::error::MatchError;
 use crate::surface::side::Side;
@@ -8,24 +8,24 @@ use homolog_primitives::observe::{Observer, Phase};
 use homolog_registration::{IcpMetric, IcpOptions, RigidTransform, refine_icp};
 use nalgebra::Point3;
 
-/// Inlier tolerance in mean target edge lengths where the request states none.
+/// Default inlier tolerance, in mean target edge lengths.
 const TOLERANCE_EDGES: f64 = 3.0;
 /// Share of the source vertices that ICP keeps; the others may have no counterpart.
 const ICP_KEEP: f64 = 0.9;
 const ICP_ITERATIONS: u32 = 100;
-/// Most steps where a displacement field follows, which needs a pose but not its last digit.
+/// Most steps if a displacement field follows, which needs only an approximate pose.
 const ICP_ITERATIONS_OF_A_START: u32 = 15;
 const ICP_TOLERANCE: f64 = 1e-6;
 /// Most source vertices over which poses are compared.
 const SAMPLE: usize = 500;
 
-/// At most 500 of `points`, which are in canonical numbering. That follows a curve through space, so that every k-th point is
-/// an even sample.
+/// At most 500 of `points`, which are in canonical numbering. Canonical numbering follows a space-filling curve, so
+/// every k-th point is an even sample.
 pub(crate) fn even_sample(points: &[Point3<f64>]) -> impl Iterator<Item = &Point3<f64>> {
     points.iter().step_by(points.len().div_ceil(SAMPLE).max(1))
 }
 
-/// Two surfaces that are being matched, on one level.
+/// Two surfaces of a match, on one level.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
     pub source: &'a Side,
@@ -33,9 +33,9 @@ pub(crate) struct Scene<'a> {
     /// Closest points of the target.
     pub closest: &'a SurfaceIndex,
     pub parameters: &'a MatchParameters,
-    /// Mean target edge length.
+    /// Mean target edge length, mm.
     pub edge_mm: f64,
-    /// Largest residual of an inlier.
+    /// Largest residual of an inlier, mm.
     pub tolerance_mm: f64,
     pub observer: &'a dyn Observer,
 }
@@ -64,7 +64,7 @@ impl<'a> Scene<'a> {
         labeling.iter().map(|&x| self.target.mesh().vertices()[x as usize]).collect()
     }
 
-    /// Root mean square distance of the source, moved by `pose`, from the target, over a sample of its vertices, mm.
+    /// Root mean square distance from the target of the source moved by `pose`, over a sample of its vertices, mm.
     pub(crate) fn sample_rms_mm(&self, pose: &RigidTransform) -> f64 {
         let source = self.source.mesh().vertices();
         let moved: Vec<_> = even_sample(source).map(|p| pose.apply(p)).collect();
@@ -72,7 +72,7 @@ impl<'a> Scene<'a> {
         (squares / moved.len() as f64).sqrt()
     }
 
-    /// `start` improved by closest points, as the parameters ask.
+    /// `start` refined by ICP, according to the parameters.
     pub(crate) fn refine(&self, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
         let metric = match self.parameters.registration.refine {
             Refinement::None => return Ok(*start),

@@ -1,4 +1,4 @@
-//! Both surfaces prepared for a displacement field, their curvature features on one scale.
+//! Both surfaces prepared for a displacement field, with curvature features standardized together.
 
 use super::role::Role;
 use super::surfaces::Surfaces;
@@ -8,26 +8,28 @@ use crate::surface::smooth::{Flow, N_FEATURES, SmoothSurface};
 use homolog_mesh::SurfaceMesh;
 use std::sync::Arc;
 
-/// Median distance by which light smoothing moves the vertices of a surface without noise, in roots of the area: that of
-/// hippocampi made from voxels of 1 mm. A surface that it moves farther is noisy, and all scales are enlarged by that factor.
+/// Median distance by which light smoothing moves the vertices of a surface without noise, in roots of the area: the
+/// value for hippocampi from voxels of 1 mm. Surfaces with a larger distance are noisy, and all scales are multiplied
+/// by the ratio.
 const GRAIN: f64 = 0.00225;
 const MAX_COARSENING: f64 = 4.0;
 
-/// Width of the rim of a part that counts less, in roots of the area: `σ` of the assignment in the coarse stage, 4 to 5 % of the diagonal.
+/// Width of the rim of a part where weights are reduced, in roots of the area: about `σ` of the assignment in the
+/// coarse stage, 4 to 5 % of the diagonal.
 const RIM: f64 = 0.05;
 
 /// Two surfaces prepared for displacement, the source first.
 pub(crate) type SmoothPair = (Arc<SmoothSurface>, Arc<SmoothSurface>);
 
 impl Surfaces<'_> {
-    /// Both surfaces, prepared; a part counts less at its rim.
+    /// Both surfaces, prepared; the weights of a part are reduced at its rim.
     ///
     /// # Errors
     /// [`MatchError::ScaleSpace`].
     pub(crate) fn smoothed(&self) -> Result<SmoothPair, MatchError> {
         let Surfaces { source, target, lengths, part, .. } = *self;
         match part {
-            // The part is what is deformed.
+            // The part is the surface that is deformed.
             Some(Role::Target) => {
                 smooth_pair(target, source, lengths.root_mm, true).map(|(target, source)| (source, target))
             }
@@ -36,7 +38,8 @@ impl Surfaces<'_> {
     }
 }
 
-/// Both surfaces, of which the source may show a part of what the target shows; features are brought to the median and the median absolute deviation of both together.
+/// Both surfaces, prepared; the source may be a part. Features are standardized by the median and the median absolute
+/// deviation over both surfaces.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`].
@@ -48,7 +51,7 @@ pub(crate) fn smooth_pair(
 ) -> Result<SmoothPair, MatchError> {
     let (a, b) = rayon::join(|| Flow::new(source, root_mm), || Flow::new(target, root_mm));
     let (a, b) = (a?, b?);
-    // One set of scales for both, or the smoother surface would look different.
+    // Both use the same scales: at different ones the smoother surface would have lower curvature.
     let coarsening = (a.grain_mm().max(b.grain_mm()) / (GRAIN * root_mm)).clamp(1.0, MAX_COARSENING);
     let (a, b) = rayon::join(|| a.surface(coarsening), || b.surface(coarsening));
     let ((mut a, a_values), (mut b, b_values)) = (a?, b?);

@@ -1,4 +1,4 @@
-//! The two surfaces of a displacement, and the same in the other direction.
+//! The two surfaces of a displacement, in either direction.
 
 use super::lengths::Lengths;
 use super::role::Role;
@@ -7,7 +7,7 @@ use crate::surface::side::Side;
 use homolog_contract::parameters::{Bending, Landmark};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 
-/// Ratio of the variances of the places of two surfaces from which they differ in spread.
+/// Ratio of the spreads of two surfaces from which they count as different.
 const UNLIKE_SPREAD: f64 = 1.1;
 
 /// The surfaces of a displacement, in canonical numbering, mm.
@@ -15,7 +15,7 @@ const UNLIKE_SPREAD: f64 = 1.1;
 pub(crate) struct Surfaces<'a> {
     /// The surface that the field is fitted on.
     pub source: &'a SurfaceMesh,
-    /// The surface that it is fitted to.
+    /// The surface that the field is fitted to.
     pub target: &'a SurfaceMesh,
     /// The source whose vertices get images.
     pub full_source: &'a SurfaceMesh,
@@ -27,21 +27,21 @@ pub(crate) struct Surfaces<'a> {
     pub target_closest: &'a ClosestPointIndex,
     /// Pairs of points that are known to correspond.
     pub landmarks: &'a [Landmark],
-    /// Whether a part of either surface may be missing.
+    /// Whether a region of either surface may be missing.
     pub open: bool,
-    /// Which of them shows a part of what the other shows, if one does.
+    /// The surface that shows only a part of the structure, if one does.
     pub part: Option<Role>,
     pub lengths: Lengths,
-    /// How surfaces that no rigid motion brings together are matched.
+    /// How surfaces that a rigid motion does not align are matched.
     pub bending: Bending,
-    /// What is known of the surface that the fields are fitted on: sites and form. `None` where these say nothing.
+    /// Sites and form of the surfaces that the fields are fitted on. `None` if they are not used.
     pub side_of: &'a (dyn Fn(Role) -> Option<&'a Side> + Sync),
 }
 
 impl Surfaces<'_> {
-    /// Whether the pair is fitted from the target to the source: from the surface that is more spread out for its area. Places
-    /// that lie far apart along it lie far apart in space as well, and a field can move them differently; on a bent surface
-    /// they may be neighbors.
+    /// Whether the pair is fitted from the target to the source: from the surface of larger spread relative to its
+    /// area. Points that are far apart along this surface are also far apart in space, so a field can move them
+    /// independently; on a bent surface they may be close in space.
     pub(crate) fn is_fitted_backwards(&self) -> bool {
         spread(self.full_target) > spread(self.full_source)
     }
@@ -69,13 +69,13 @@ impl Surfaces<'_> {
     }
 }
 
-/// Whether one surface is more spread out than the other, for its area.
+/// Whether the surfaces differ in spread relative to area.
 pub(crate) fn differ_in_spread(surfaces: &Surfaces<'_>) -> bool {
     let (a, b) = (spread(surfaces.source), spread(surfaces.target));
     a.max(b) > UNLIKE_SPREAD * a.min(b)
 }
 
-/// Variance of the places on a surface, over its area.
+/// Variance of the points of a surface divided by its area, without unit.
 fn spread(mesh: &SurfaceMesh) -> f64 {
     AreaMoments::of(mesh).map_or(0.0, |moments| moments.scatter.trace() / (moments.area * moments.area))
 }

@@ -7,22 +7,22 @@ use homolog_primitives::graph::LabelNeighborhoods;
 use homolog_registration::RigidTransform;
 use rayon::prelude::*;
 
-/// A vertex may be answered with those within this many edges of the closest triangle.
+/// Distance from the closest triangle, in edges, up to which a vertex may be the label.
 const RINGS: usize = 1;
 
-/// A target vertex for every source vertex, in canonical numbering of the level that it was made on.
+/// A target vertex for every source vertex, in canonical numbering of one level.
 #[derive(Clone)]
 pub(crate) struct VertexMap {
     pub labeling: Labeling,
-    /// Probability of each label, or a stand-in for it in `[0, 1]`.
+    /// Probability of each label, or an estimate of it in `[0, 1]`.
     pub confidence: Vec<f64>,
-    /// Root mean square distance of each belief from its mean, mm; 0 for minimizers that have no beliefs.
+    /// Root mean square distance of each belief from its mean, mm; 0 for minimizers without beliefs.
     pub spread_mm: Vec<f64>,
 }
 
 impl VertexMap {
-    /// For every source vertex the nearest vertex of the target after the transform, how much nearer it is than those
-    /// around it, and how far these spread: `p(x) ∝ exp(−d²/2σ²)`, `σ` the root mean square distance of the surfaces.
+    /// For every source vertex the nearest vertex of the target after the transform, with confidence and spread under
+    /// `p(x) ∝ exp(−d²/2σ²)` over the vertices around it; `σ` is the root mean square distance of the surfaces.
     ///
     /// Cost `O(n log n')`.
     pub(crate) fn nearest(scene: &Scene<'_>, transform: &RigidTransform) -> VertexMap {
@@ -31,7 +31,7 @@ impl VertexMap {
         let moved: Vec<_> = scene.source.mesh().vertices().iter().map(|p| transform.apply(p)).collect();
         let closest: Vec<_> = moved.par_iter().map(|p| scene.closest.index.closest(p)).collect();
         let squares: f64 = moved.iter().zip(&closest).map(|(p, found)| (found.point - p).norm_squared()).sum();
-        // Copies coincide; vertices cannot be distinguished better than by half an edge.
+        // The distance of copies is 0; vertices are told apart no better than by half an edge.
         let sigma = (squares / moved.len() as f64).sqrt().max(0.5 * scene.edge_mm);
         let rows: Vec<(u32, f64, f64)> = moved
             .par_iter()

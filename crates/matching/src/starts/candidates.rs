@@ -1,4 +1,4 @@
-//! Rigid poses to start from: of an earlier stage, of landmarks, of the labels of an energy, of a search, and rotations.
+//! Rigid starting poses: from an earlier stage, landmarks, the labels of an energy, a search, and rotations of these.
 
 use super::landmarks::landmark_pose;
 use super::rotations::{rotations_of_best, symmetric_poses};
@@ -8,11 +8,11 @@ use crate::pair::problem::Coarse;
 use homolog_contract::result::PoseOrigin;
 use homolog_registration::{RigidTransform, ScoredPose};
 
-/// A rigid pose to start from.
+/// A rigid starting pose.
 pub(crate) struct Start {
     pub origin: PoseOrigin,
     pub pose: RigidTransform,
-    /// The index of the start that was rotated to give this one.
+    /// The index of the start of which this one is a rotation.
     pub rotation_of: Option<usize>,
 }
 
@@ -22,21 +22,21 @@ impl Start {
     }
 }
 
-/// Rigid poses to start from, the most trusted first.
+/// Rigid starting poses, the most trusted first.
 pub(crate) struct Starts {
     pub poses: Vec<Start>,
-    /// All that the search found, the best first.
+    /// All poses that the search found, the best first.
     of_search: Vec<ScoredPose>,
 }
 
 impl Starts {
-    /// The pose that an earlier stage found, alone.
+    /// Only the pose of an earlier stage.
     pub(crate) fn of(own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
         let poses = own.map(|(origin, pose)| Start::new(origin, pose)).into_iter().collect();
         Starts { poses, of_search: Vec::new() }
     }
 
-    /// The pose that an earlier stage found and that of the landmarks.
+    /// The pose of an earlier stage and the pose of the landmarks.
     pub(crate) fn known(coarse: &Coarse<'_>, own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
         let parameters = coarse.full.parameters;
         let mut starts = Starts::of(own);
@@ -45,7 +45,7 @@ impl Starts {
         starts
     }
 
-    /// Adds the poses that the labels of an energy support, the best of them also after `aligned`, and rotated.
+    /// Adds the poses that the labels of an energy support, the best of them also after `aligned`, and rotations.
     pub(crate) fn add_inferred(
         &mut self,
         coarse: &Coarse<'_>,
@@ -54,14 +54,15 @@ impl Starts {
     ) {
         let best = self.poses.len();
         self.add(coarse, PoseOrigin::Inference, found);
-        // Labels lie some edges apart: surfaces that are nearly copies know their pose better.
+        // The spacing of labels limits the precision of this pose; alignment is more precise for surfaces that are
+        // nearly copies.
         if let Some(pose) = found.first().and_then(aligned) {
             self.poses.push(Start { rotation_of: Some(best), ..Start::new(PoseOrigin::Inference, pose) });
         }
         self.add_symmetric(coarse, PoseOrigin::Inference, found);
     }
 
-    /// Adds the poses of a search of all orientations, of either handedness, so that a mirrored image is noticed.
+    /// Adds the poses of a search of all orientations, of either handedness, so that mirror images are detected.
     pub(crate) fn add_searched(&mut self, coarse: &Coarse<'_>) {
         self.of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
         let found: Vec<RigidTransform> = self.of_search.iter().map(|p| p.target_from_source).collect();
@@ -69,13 +70,14 @@ impl Starts {
         self.add_symmetric(coarse, PoseOrigin::Search, &found);
     }
 
-    /// Adds the poses of a symmetric surface that are as good as the best of `found`, so that a symmetry is noticed.
+    /// Adds poses related to the best of `found` by a possible symmetry of the surface, so that symmetries are
+    /// detected.
     fn add_symmetric(&mut self, coarse: &Coarse<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
         let poses = symmetric_poses(&coarse.source.middle, found);
         self.poses.extend(poses.into_iter().map(|pose| Start::new(origin, pose)));
     }
 
-    /// Adds `found`, the best first, and the best of either handedness rotated a little.
+    /// Adds `found`, the best first, and small rotations of the best of each handedness.
     fn add(&mut self, coarse: &Coarse<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
         let first = self.poses.len();
         self.poses.extend(found.iter().map(|pose| Start::new(origin, *pose)));
@@ -84,13 +86,13 @@ impl Starts {
         self.poses.extend(rotations.into_iter().map(rotation));
     }
 
-    /// The most trusted pose that may be answered.
+    /// The most trusted pose that is allowed as an answer.
     pub(crate) fn first(&self, coarse: &Coarse<'_>) -> Option<RigidTransform> {
         let allow_reflection = coarse.full.parameters.registration.allow_reflection;
         self.poses.iter().map(|start| start.pose).find(|pose| allow_reflection || !pose.is_reflection())
     }
 
-    /// These poses, each with how much worse than the best the search found it.
+    /// These poses, each with its excess misfit in the search.
     pub(crate) fn with_excess(&self, are_same: impl Fn(&RigidTransform, &RigidTransform) -> bool) -> Vec<StartPose> {
         let start_pose = |start: &Start| StartPose {
             pose: start.pose,
@@ -100,8 +102,8 @@ impl Starts {
         self.poses.iter().map(start_pose).collect()
     }
 
-    /// How much worse than the best the search found `pose`: as much as the best pose it returned that is the same;
-    /// a pose that it did not return is as bad as its last.
+    /// Excess misfit of `pose` in the search: that of the best pose in the same place, or of the last pose for a pose
+    /// that the search did not return.
     fn excess(&self, pose: &RigidTransform, are_same: impl Fn(&RigidTransform, &RigidTransform) -> bool) -> f64 {
         let alike = self.of_search.iter().filter(|p| are_same(&p.target_from_source, pose));
         let least = alike.map(|p| p.excess).fold(f64::INFINITY, f64::min);

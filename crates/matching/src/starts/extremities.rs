@@ -1,39 +1,38 @@
-//! Correspondences of extremities: of the places that stick out of one surface with those that stick out of the other.
+//! Correspondences of extremities: places where a surface sticks out, such as hands, feet, a head or a tail.
 //!
-//! Hands, feet, a head, a tail: where belief propagation begins, what matters is which of them correspond. They are few, distances
-//! along the surface between them are long, and all assignments of them can be looked at. Those that keep these distances best are
-//! starts of belief propagation, which settles everything between; bilateral symmetry gives several, and the energy of the labelings
-//! tells them apart.
+//! Extremities are few and far apart along the surface, so all assignments between those of two surfaces can be
+//! examined. The assignments that keep distances along the surface best are starts of belief propagation, which labels
+//! the places between them. Bilateral symmetry gives several assignments; the energy of the labelings decides between
+//! them.
 //!
-//! Source: Zhang et al., "Deformation-driven shape correspondence", Computer Graphics Forum 27(5), 2008 (a search over the
-//! assignments of extremities, pruned by distances along the surface).
+//! Source: Zhang et al., "Deformation-driven shape correspondence", Computer Graphics Forum 27(5), 2008 (a search over
+//! the assignments of extremities, pruned by distances along the surface).
 
 use crate::surface::sites::Places;
 
-/// A place is an extremity if within this distance along the surface, in roots of the area, no other has a larger root mean square distance
+/// Radius along the surface, in roots of the area, within which an extremity has the largest root mean square distance
 /// from all places.
 const REACH: f64 = 0.25;
-/// The most extremities of a surface that take part, those that are farthest out.
+/// Most extremities of a surface that are used, the most remote ones.
 const MOST: usize = 7;
 /// Assignments that are kept. Bodies with two arms and two legs have four that keep all distances.
 const KEPT: usize = 12;
-/// What an extremity without a counterpart costs, and the most that a pair of distances does: three and four and a half units of
-/// log-likelihood. Costs only order the assignments.
+/// Cost of an extremity without a counterpart, and the largest cost of a pair of distances, in units of log-likelihood.
+/// Costs only rank the assignments.
 const ALONE: f64 = 3.0;
 const TRUNCATION: f64 = 4.5;
 
 /// Pairs of a place of the source and a place of the target.
 pub(crate) type Assignment = Vec<(usize, usize)>;
 
-/// Assignments of extremities, the likeliest first; each assigns one at least. The same for the same places, whatever their unit.
-/// `stretch` is the standard deviation of the change of a distance by a deformation, relative to it.
+/// Assignments of extremities, the likeliest first; each assigns at least one. The result does not depend on the unit
+/// of length. `stretch` is the standard deviation of the relative change of a distance by a deformation.
 ///
-/// Cost: that of all partial assignments of [`MOST`] places, cut off where they cost more than those that are kept, and
-/// `O(places²)`.
+/// Cost: all partial assignments of [`MOST`] places, pruned where they cost more than the kept ones, and `O(places²)`.
 pub(crate) fn assignments(source: &Places<'_>, target: &Places<'_>, stretch: f64) -> Vec<Assignment> {
     let (a, b) = (Extremities::of(source), Extremities::of(target));
     let costs = Costs {
-        // Each extremity counts once, however many others there are.
+        // The weight of an extremity does not depend on the number of others.
         pair_weight: 1.0 / (a.places.len().min(b.places.len()).max(2) - 1) as f64,
         stretch,
         a: &a,
@@ -47,18 +46,18 @@ pub(crate) fn assignments(source: &Places<'_>, target: &Places<'_>, stretch: f64
     search.kept.into_iter().map(|(_, chosen)| pairs(chosen)).filter(|pairs: &Assignment| !pairs.is_empty()).collect()
 }
 
-/// How many extremities a surface has whose root mean square distance from all places is at least `remoteness`, at most [`MOST`]. Cost
-/// `O(places²)`.
+/// Number of extremities, at most [`MOST`], whose root mean square distance from all places is at least `remoteness`.
+/// Cost `O(places²)`.
 pub(crate) fn number_of_limbs(places: &Places<'_>, remoteness: f64) -> usize {
     Extremities::of(places).remoteness.iter().filter(|&&r| r >= remoteness).count()
 }
 
-/// The extremities of a surface, that which is farthest out first.
+/// The extremities of a surface, the most remote first.
 struct Extremities {
     places: Vec<usize>,
     /// Root mean square distance of each from all places.
     remoteness: Vec<f64>,
-    /// Distances between them, row by row.
+    /// Distances between extremities, row by row.
     apart: Vec<Vec<f64>>,
 }
 
@@ -67,7 +66,7 @@ impl Extremities {
         let n = places.len();
         let mean_square = |i: usize| (0..n).map(|j| places.distance(i, j).powi(2)).sum::<f64>() / n as f64;
         let remoteness: Vec<f64> = (0..n).map(|i| mean_square(i).sqrt()).collect();
-        // Of places that are equally far out the first.
+        // Equally remote places are ordered by index.
         let order = |&i: &usize, &j: &usize| remoteness[j].total_cmp(&remoteness[i]).then(i.cmp(&j));
         let is_one = |i: &usize| (0..n).all(|j| order(i, &j).is_le() || places.distance(*i, j) > REACH);
         let mut found: Vec<usize> = (0..n).filter(is_one).collect();
@@ -81,7 +80,7 @@ impl Extremities {
     }
 }
 
-/// What assignments cost.
+/// The costs of assignments.
 struct Costs<'a> {
     pair_weight: f64,
     stretch: f64,
@@ -90,7 +89,8 @@ struct Costs<'a> {
 }
 
 impl Costs<'_> {
-    /// What assigning the `k`-th extremity of the target to the next one of the source adds, after those `chosen` before it.
+    /// The additional cost of assigning the `k`-th extremity of the target to the next one of the source, given the
+    /// previous assignments `chosen`.
     fn of_next(&self, k: usize, chosen: &[Option<usize>]) -> f64 {
         let (i, &Costs { stretch, a, b, .. }) = (chosen.len(), self);
         let pairs = chosen.iter().enumerate().filter_map(|(j, l)| l.map(|l| (j, l)));
@@ -99,22 +99,23 @@ impl Costs<'_> {
     }
 }
 
-/// `−ln` of the likelihood of two distances that correspond.
+/// `−ln` of the likelihood of two corresponding distances.
 fn unlike(one: f64, other: f64, stretch: f64) -> f64 {
     let noise = stretch * 0.5 * (one + other);
     (0.5 * ((one - other) / noise).powi(2)).min(TRUNCATION)
 }
 
-/// The search for the cheapest assignments, depth first: one extremity of the source after another gets one of the target or none.
+/// Depth-first search for the assignments of lowest cost: each extremity of the source in turn gets one of the target,
+/// or none.
 struct Search<'a> {
     costs: Costs<'a>,
-    /// The cheapest so far, in order of their costs.
+    /// The assignments of lowest cost so far, by increasing cost.
     kept: Vec<(f64, Vec<Option<usize>>)>,
     chosen: Vec<Option<usize>>,
 }
 
 impl Search<'_> {
-    /// Looks at all that continue what is chosen, which costs so much.
+    /// Searches all continuations of `chosen`, whose cost is `cost`.
     fn deeper(&mut self, cost: f64) {
         if self.kept.len() == KEPT && self.kept[KEPT - 1].0 <= cost {
             return;
@@ -148,7 +149,8 @@ mod tests {
 
     const STRETCH: f64 = 0.15;
 
-    /// Places of a star in the plane whose arms have these directions (degrees) and lengths; distances are those along the arms.
+    /// Places of a star in the plane whose arms have these directions (degrees) and lengths; distances are along the
+    /// arms.
     fn star(arms: &[(f64, f64)]) -> (Vec<f32>, Vec<usize>) {
         const STEPS: usize = 12;
         let mut points = vec![(0, 0.0)];
@@ -157,7 +159,7 @@ mod tests {
             points.extend((1..=STEPS).map(|s| (arm, length * s as f64 / STEPS as f64)));
             tips.push(points.len() - 1);
         }
-        // Between arms a distance is shorter the smaller their angle, as on a web between them.
+        // A distance between two arms is shorter for a smaller angle, as on a web between them.
         let distance = |&(a, r): &(usize, f64), &(b, s): &(usize, f64)| {
             let at = |arm: usize, radius: f64| {
                 let angle = arms[arm].0.to_radians();
@@ -219,7 +221,7 @@ mod tests {
         let (n, m) = (a.places.len(), b.places.len());
         assert!(n >= 3 && m >= 4);
         let costs = Costs { pair_weight: 1.0 / (n.min(m) - 1) as f64, stretch: STRETCH, a: &a, b: &b };
-        // All assignments by definition: a digit for each extremity of the source, `m` for none.
+        // All assignments by enumeration: a digit for each extremity of the source, `m` for none.
         let mut all: Vec<f64> = (0..(m + 1).pow(n as u32))
             .filter_map(|code| {
                 let chosen: Vec<Option<usize>> =

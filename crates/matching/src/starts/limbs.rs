@@ -1,8 +1,8 @@
-//! Surfaces with limbs: where a rigid start can end with surfaces that agree and a part that does not correspond.
+//! Surfaces with limbs.
 //!
-//! A tail that ends on a leg, a head that ends on a shoulder: the field brings them close, and normals and curvatures agree over most of
-//! the surface. What such surfaces have in common is that they branch. For them an answer that agrees is no reason not to try
-//! correspondences of bending-invariant forms and of extremities.
+//! From a rigid start such surfaces can agree over most of their area although a limb does not correspond: a tail on a
+//! leg, or a head on a shoulder, is brought close by the field. So correspondences of near isometries and of
+//! extremities are tried for them even if an answer agrees.
 
 use super::extremities::number_of_limbs;
 use crate::pair::role::Role;
@@ -11,15 +11,15 @@ use homolog_contract::parameters::Bending;
 use homolog_mesh::SurfaceMesh;
 use std::f64::consts::PI;
 
-/// Isoperimetric quotient below which a surface may branch: 1 of a ball, 0.21 to 0.32 of hippocampi, 0.33 to 0.45 of beans, 0.07 to 0.16 of
-/// people and animals. It saves the forms of compact surfaces.
+/// Isoperimetric quotient below which a surface may have limbs; 1 for a ball. This test only avoids computing the forms
+/// of compact surfaces.
 const MOST_COMPACT: f64 = 0.18;
-/// Extremities from which it does, and how far out they are: root mean square distance along the surface from all places, in roots of the
-/// area. Any point of a ball is at 0.48, the processes of vertebrae at 0.47 to 0.60, four limbs of people and animals at 0.68 and more.
+/// Number of remote extremities from which a surface has limbs, and the least remoteness of each: root mean square
+/// distance along the surface from all places, in roots of the area (0.48 on a ball).
 const FEWEST_LIMBS: usize = 4;
 const FAR_OUT: f64 = 0.64;
 
-/// Whether both surfaces are whole and have limbs. Landmarks say already which limb is which.
+/// Whether both surfaces are closed and have limbs. False with landmarks, which already determine which limb is which.
 ///
 /// Cost `O(n)` for compact surfaces, otherwise that of their forms.
 pub(crate) fn may_branch(surfaces: &Surfaces<'_>) -> bool {

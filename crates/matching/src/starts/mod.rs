@@ -1,4 +1,4 @@
-//! Where a fit may begin, a file for each kind of start.
+//! Starts of a fit, one file for each kind.
 
 pub(crate) mod candidates;
 pub(crate) mod extremities;

@@ -7,13 +7,13 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_registration::alignment::OrientedPoints;
 use homolog_registration::{PoseSearchOptions, RigidTransform, SAME_POSE_ANGLE, SamePose, ScoredPose, pose_search};
 
-/// The vertices of `side`; pose search computes features of its own.
+/// The vertices of `side`, without features: pose search computes its own.
 fn oriented<'a>(side: &'a Side, areas: &'a [f64]) -> OrientedPoints<'a> {
     OrientedPoints { points: side.mesh().vertices(), normals: &side.normals, areas, features: &[] }
 }
 
-/// Poses that lay `source` on `target`, the best first; with `allow_reflection` of either handedness. A part is laid on the whole,
-/// whichever of them is the source.
+/// Poses that align `source` with `target`, the best first; with `allow_reflection` of either handedness. A part is
+/// aligned with the whole, whichever of them is the source.
 pub(crate) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> Vec<ScoredPose> {
     let part = part(source, target);
     let (from, to) = if part == Some(Role::Target) { (target, source) } else { (source, target) };
@@ -31,7 +31,8 @@ pub(crate) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> 
     found
 }
 
-/// Whether two poses of `source` on `target` are the same within 30°, those of a part by orientation and place.
+/// Returns whether two poses of `source` on `target` are the same within 30°; poses of a part also have to agree in
+/// place.
 pub(crate) fn sameness(source: &Side, target: &Side) -> impl Fn(&RigidTransform, &RigidTransform) -> bool {
     let of_place = |side: &Side| SamePose::of_place(side.mesh().vertices(), &vertex_areas(side.mesh()));
     let part = part(source, target);

@@ -1,8 +1,8 @@
 //! Tubular surfaces straightened along their center lines.
 //!
-//! The inner side of a bend is shorter than the outer one, so a bent tube is no near isometry of a straight one. In the
-//! coordinates of its center line ([`homolog_methods::medial`]) it is the same tube again, up to how well the line is known:
-//! capsules bent by 150° then differ from the straight one by 0.6 edges (root mean square), by 0.3 to 0.4 away from the ends.
+//! The inner side of a bend is shorter than the outer side, so a bent tube is not nearly isometric to a straight one.
+//! In the coordinates of its center line ([`homolog_methods::medial`]) it is the same tube, up to the precision of the
+//! line: for capsules bent by 150° the difference is 0.6 edges (root mean square), 0.3 to 0.4 away from the ends.
 
 use super::start_pose::StartPose;
 use crate::pair::surfaces::Surfaces;
@@ -16,16 +16,16 @@ use homolog_registration::{PoseSearchOptions, pose_search};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Least length of the center line over the radius of a tubular surface.
+/// Least ratio of the length of the center line to the radius of a tubular surface.
 const TUBULAR: f64 = 6.0;
-/// Vertices of the level on which it is first looked how straight a surface is.
+/// Vertices of the level on which straightness is estimated first.
 const N_COARSE: usize = 600;
 
-/// A tubular surface and the same straightened.
+/// A tubular surface and its straightened version.
 pub(crate) struct Tube<'a> {
     pub surface: &'a SurfaceMesh,
     pub straight: SurfaceMesh,
-    /// Closest points of the surface and of the straightened one.
+    /// Closest points of the surface and of its straightened version.
     pub closest: [ClosestPointIndex; 2],
 }
 
@@ -43,18 +43,18 @@ impl<'a> Tube<'a> {
         OrientedPoints { points: self.straight.vertices(), normals, areas, features: &[] }
     }
 
-    /// A point near the surface, straightened with it.
+    /// Maps a point near the surface to the straightened surface.
     fn straightened(&self, p: &Point3<f64>) -> Point3<f64> {
         carried(self.surface, &self.closest[0], &self.straight, p)
     }
 
-    /// A point near the straightened surface, bent back with it.
+    /// Maps points near the straightened surface back to the surface.
     pub(crate) fn bent(&self, points: &[Point3<f64>]) -> Vec<Point3<f64>> {
         points.par_iter().map(|p| carried(&self.straight, &self.closest[1], self.surface, p)).collect()
     }
 }
 
-/// A point near `from`, carried along to the place of its closest point on `to`, whose vertices are those of `from` elsewhere.
+/// Moves a point near `from` with its closest point to `to`, which has the same faces as `from` and other vertices.
 pub(crate) fn carried(
     from: &SurfaceMesh,
     closest: &ClosestPointIndex,
@@ -70,14 +70,14 @@ pub(crate) fn carried(
     Point3::from(at.blend(|k| to.vertices()[k].coords) + normal(to) * height)
 }
 
-/// Distance of the ends of the center line over its length, on a coarser level.
+/// Ratio of the distance between the ends of the center line to its length, on a coarser level.
 fn straightness(surface: &SurfaceMesh) -> Option<f64> {
     let level = coarsen(surface, N_COARSE);
     let line = CenterLine::of(level.as_ref().map_or(surface, |level| &level.mesh), &MedialOptions::default());
     Some(line?.straightness())
 }
 
-/// Whether the straightness of the center lines of two surfaces, between 0 and 1, differs by so much.
+/// Whether the straightness of the center lines of two surfaces, between 0 and 1, differs by at least `by`.
 pub(crate) fn differ_in_straightness(surfaces: &Surfaces<'_>, by: f64) -> bool {
     let (a, b) = rayon::join(|| straightness(surfaces.source), || straightness(surfaces.target));
     a.zip(b).is_some_and(|(a, b)| (a - b).abs() >= by)

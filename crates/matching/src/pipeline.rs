@@ -1,11 +1,12 @@
-//! From two surfaces to an outcome, in four stages. Each is a function from the values of the stages before it to an
-//! immutable value of its own:
+//! From two surfaces to an outcome, in four stages. Each is a function from the values of previous stages to an
+//! immutable value:
 //!
 //! 1. [`coarse()`]: the energy of a coarse level, if one is asked for;
-//! 2. [`posed()`]: a rigid transform, from rounds of inference or from registration alone, unless the field searches for it;
-//! 3. [`displaced()`]: an image of every source vertex, through a smooth displacement field if one is asked for; between surfaces
-//!    of unlike sizes also with the source [`resized()`]; an answer without one has the verdict of a second opinion;
-//! 4. [`measured()`]: the outcome, with all that is measured on these images.
+//! 2. [`posed()`]: a rigid transform, from rounds of inference or from registration alone, unless the field searches
+//!    for it;
+//! 3. [`displaced()`]: an image of every source vertex, through a smooth displacement field if one is asked for; for
+//!    surfaces of unlike sizes also with the source [`resized()`]; answers without a field get a second opinion;
+//! 4. [`measured()`]: the outcome, with all measures of these images.
 
 mod counting;
 pub(crate) mod images;
@@ -54,9 +55,9 @@ pub fn match_surfaces(
     match_levels(&source, &target, parameters, observer)
 }
 
-/// [`match_surfaces`] from levels that were made before, with the `inference.coarse_vertices` of `parameters`. Gives the same
-/// bits, whatever else these levels were matched with. Every vertex index of the outcome is an original of the numbering
-/// that the levels were made with ([`Levels::numbered`]).
+/// [`match_surfaces`] from prebuilt levels, with the `inference.coarse_vertices` of `parameters`. The result is the
+/// same to the bit, independent of other matches of these levels. Every vertex index of the outcome is an original of
+/// the numbering of the levels ([`Levels::numbered`]).
 ///
 /// # Errors
 /// [`MatchError`].
@@ -78,7 +79,7 @@ pub fn match_levels(
     Ok(outcome)
 }
 
-/// The last point of the trace: the energy of the answer, where it has one.
+/// The last point of the trace: the energy of the answer, if it has one.
 fn trace_answer(outcome: &MatchOutcome, posed: &Posed<'_>, observer: &dyn Observer) {
     let Some(energy) = &outcome.energy else { return };
     let round = outcome.rounds.iter().find(|round| round.chosen).map_or(0, |round| round.round);

@@ -1,12 +1,12 @@
-//! The progress of a displacement, by its checks for cancellation.
+//! Progress of a displacement, from its checks for cancellation.
 
 use crate::pair::progress::{PROGRESS_AT_END, PROGRESS_BEFORE_LOCAL};
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use std::sync::{Mutex, PoisonError};
 
-/// Checks for cancellation, and the share of the processor time of the displacement that has passed at them, in four pairs of hippocampi of
-/// 118 to 130 checks: the second comes before inference, the local stage begins with the 84th or passes over what did not take place, and
-/// what remains after the last is the energy of the answer.
+/// Number of checks for cancellation, and the share of the processor time of the displacement at that check, from four
+/// pairs of hippocampi with 118 to 130 checks. The second check precedes inference. The local stage begins at the 84th
+/// or skips the checks of stages that were not run. The energy of the answer follows the last check.
 const CURVE: [(f64, f64); 8] = [
     (0.0, 0.0),
     (2.0, 0.188),
@@ -18,19 +18,19 @@ const CURVE: [(f64, f64); 8] = [
     (118.0, 0.813),
 ];
 
-/// Says how much of a displacement is done, by the number of checks for cancellation: there is one for each step. The rounds of its energy
-/// trace follow those of inference.
+/// Reports the progress of a displacement, estimated from the number of checks for cancellation, one per step. The
+/// rounds of its energy trace follow those of inference.
 pub(crate) struct Counting<'a> {
     pub observer: &'a dyn Observer,
-    /// The share of the match that was done before.
+    /// Progress of the match at the beginning of the displacement.
     pub done_before: f64,
     pub n_checks: Mutex<u32>,
-    /// The last round of inference, which is that of the first fit too; `None` where no energy of labels was minimized before.
+    /// The last round of inference, which the first fit shares; `None` if no energy of labels was minimized before.
     pub last_round: Option<u32>,
 }
 
-/// The share of the time of a displacement that has passed at the check `n_checks`. One of more checks than expected comes to its end ever more
-/// slowly.
+/// Share of the time of a displacement at the check `n_checks`. Beyond the expected number of checks it approaches 1
+/// exponentially.
 fn time_share(n_checks: f64) -> f64 {
     let [.., before, last] = CURVE;
     let linear = |[a, b]: [(f64, f64); 2]| a.1 + (n_checks - a.0) * (b.1 - a.1) / (b.0 - a.0);
@@ -46,12 +46,12 @@ impl Observer for Counting<'_> {
         Some(self.observer)
     }
     fn trace(&self, point: &TracePoint) {
-        // Labels of near isometries have another energy than those of the rounds.
+        // The energy of the labels of near isometries is not that of the rounds.
         if self.last_round.is_none() || point.phase != Phase::Inference {
             self.observer.trace(&TracePoint { round: self.last_round.unwrap_or(0) + point.round, ..point.clone() });
         }
     }
-    /// A stage begins at this share of the displacement: the checks of those before it that did not take place are passed over.
+    /// A stage begins at `share` of the displacement: the checks of previous stages that were not run are skipped.
     fn progress(&self, share: f64) {
         let mut n_checks = self.n_checks.lock().unwrap_or_else(PoisonError::into_inner);
         while time_share(f64::from(*n_checks)) < share {
@@ -59,7 +59,7 @@ impl Observer for Counting<'_> {
         }
     }
     fn is_cancelled(&self) -> bool {
-        // Held while it is said, so that what is said never decreases.
+        // Held during the report, so that reported progress never decreases.
         let mut n_checks = self.n_checks.lock().unwrap_or_else(PoisonError::into_inner);
         *n_checks += 1;
         let done = time_share(f64::from(*n_checks));

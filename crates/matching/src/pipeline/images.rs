@@ -29,14 +29,15 @@ use std::sync::Mutex;
 
 /// An image for every source vertex of `coarse`, from the pose of `posed`.
 ///
-/// With a displacement field the poses compared are that of `posed`, that of the landmarks, those that the labels of an energy support and,
-/// where these leave a doubt, those of a search of all orientations, mirrored ones too; the one that fits best after the deformation is kept. Where no field can be fitted,
-/// the images are those of the rigid pose, and where `posed` has none, of the first of the other poses. A method of the field
-/// starts from that one pose. Where the pose was left to the field and none can be fitted, the answer is that of registration alone.
+/// With a displacement field the compared poses are that of `posed`, that of the landmarks, those that the labels of an
+/// energy support and, if these leave a doubt, those of a search of all orientations, including poses that mirror. The
+/// pose that fits best after the deformation is kept. If no field can be fitted, the images are those of the pose of
+/// `posed`, of registration alone if the pose was left to the field, or else of the first of the other poses. A
+/// published method starts from the first of these poses.
 ///
 /// # Errors
-/// [`MatchError::NoRegistration`] where `posed` has no pose and no other is at hand: without a displacement field, or
-/// where neither landmarks nor the search give one. [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
+/// [`MatchError::NoRegistration`] if `posed` has no pose and there is no other one: without a displacement field, or if
+/// neither landmarks nor the search give one. [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
 pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displaced, MatchError> {
     let starts = match coarse.full.parameters.displacement.mode {
         DisplacementMode::None => Starts::of(own_pose(posed)),
@@ -74,7 +75,7 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
     rigid(coarse, posed, &starts)
 }
 
-/// The pose that `posed` has, and where it comes from.
+/// The pose of `posed`, and its origin.
 fn own_pose(posed: &Posed<'_>) -> Option<(PoseOrigin, RigidTransform)> {
     let origin = match posed {
         Posed::Inference { .. } => PoseOrigin::Inference,
@@ -89,7 +90,7 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
     let found = posed.transform().or_else(|| starts.first(coarse));
     let transform = found.ok_or(MatchError::NoRegistration { tolerance_mm: scene.tolerance_mm })?;
     let (map, poses) = match posed {
-        // The labels of an energy of all vertices are the answer.
+        // If all vertices are variables and labels of the energy, the labels are the answer.
         Posed::Inference { inferred, .. }
             if coarse.is_direct() && matches!(inferred.pose, InferredPose::Supported { .. }) =>
         {
@@ -141,14 +142,14 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         },
     };
     let smoothed = surfaces.smoothed()?;
-    // An energy that the request asks for takes its place.
+    // Inference runs only if the request asks for no other energy.
     let inferred = match (posed, scene.parameters.displacement.bending) {
         (Posed::ByField, Bending::NearIsometry) => {
             Some(inferred(coarse, &smoothed, surfaces.lengths.root_mm, &counting)?)
         }
         _ => None,
     };
-    // A part has labels that correspond to nothing.
+    // Some labels of a part correspond to nothing.
     let may_begin = !surfaces.open && scene.parameters.displacement.starts == FieldStarts::Labels;
     match inferred.as_ref().filter(|inferred| may_begin && inferred.is_clear()) {
         Some(inferred) => {
@@ -158,7 +159,7 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         None => starts.add_searched(coarse),
     }
     observer.phase(Phase::Displacement);
-    // However the source bends, it does not become its mirror image.
+    // Bending does not turn the source into its mirror image.
     let surfaces = match &inferred {
         Some(inferred) if inferred.is_of_other_handedness() => {
             Surfaces { bending: Bending::None, side_of: &|_| None, ..surfaces }

@@ -1,4 +1,4 @@
-//! Inference in the pipeline: the labels of near isometries of a pair of surfaces, and those that an answer names.
+//! Inference in the pipeline: the labels of near isometries of a pair of surfaces, and the labels of an answer.
 
 use crate::energy::inference::{InferenceSettings, Inferred, infer};
 use crate::energy::model::Measured;
@@ -11,7 +11,8 @@ use homolog_mrf::Labeling;
 use homolog_primitives::observe::{Observer, Phase};
 use homolog_registration::{RigidTransform, SurfaceSide};
 
-/// The alignment of a start ends when a step rotates by less, radians, and moves by less, in diagonals.
+/// The alignment of a start ends when a step rotates by less than this, radians, and moves by less than this, in
+/// diagonals.
 const TOLERANCE: f64 = 1e-4;
 
 /// Infers the labels of near isometries between the surfaces of `coarse`, prepared as `smoothed`, and traces their energy.
@@ -37,7 +38,7 @@ pub(crate) fn inferred(
     Ok(found)
 }
 
-/// The label of each variable that `labeling` names, which has a target vertex for every source vertex.
+/// Converts `labeling`, a target vertex for every source vertex, to a label for each variable.
 pub(crate) fn labels_of(coarse: &Coarse<'_>, labeling: &[u32]) -> Labeling {
     let (source, target) = (coarse.source, coarse.target);
     let (variables, labels) = (source.middle.sites(), target.middle.sites());
@@ -49,7 +50,8 @@ pub(crate) fn labels_of(coarse: &Coarse<'_>, labeling: &[u32]) -> Labeling {
     variables.first(IsometrySettings::default().n_variables).iter().map(label).collect()
 }
 
-/// `pose` after a few steps of closest points in both directions, on lightly smoothed surfaces; `None` if it was cancelled.
+/// `pose` after a few steps of alignment to closest points in both directions, on lightly smoothed surfaces; `None` if
+/// cancelled.
 pub(crate) fn aligned_shortly(coarse: &Coarse<'_>, pose: &RigidTransform) -> Option<RigidTransform> {
     let [source, target] = [&coarse.source.middle, &coarse.target.middle].map(|side| {
         let light = side.light();

@@ -1,5 +1,5 @@
-//! The second stage: a rigid transform, from rounds of inference and registration or from registration alone. By default it is left to the
-//! displacement field, which searches all orientations itself.
+//! The second stage: a rigid transform, from rounds of inference and registration or from registration alone. By
+//! default the displacement field searches all orientations instead.
 
 use crate::comparison::registration_only::register;
 use crate::error::MatchError;

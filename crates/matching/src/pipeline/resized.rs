@@ -1,9 +1,9 @@
 //! Surfaces of unlike sizes: the source is also matched scaled to the area of the target.
 //!
-//! From a rigid pose the field has to shrink or swell one surface before anything fits, and what it finds on the way may hold it.
-//! Between surfaces of equal area there is nothing to swell. That the sizes differ does not say which is right, though: one of the two may
-//! be a part of the other. So both are matched, and the answer under which the shapes are more alike is taken. An open surface that is smaller than a
-//! closed one is a part, at its size.
+//! From a rigid pose the field has to shrink or enlarge one surface before anything fits, and may stop in a local
+//! minimum on the way. Surfaces of equal area avoid this. But different sizes may also mean that one surface is a part
+//! of the other. So both sizes are matched, and the answer with the higher likeness of shapes is taken. An open surface
+//! that is smaller than a closed one is taken for a part and keeps its size.
 
 use super::images::displaced;
 use super::pose::posed;
@@ -22,20 +22,20 @@ use homolog_primitives::observe::Observer;
 use homolog_registration::RigidTransform;
 use nalgebra::{Point3, Vector3};
 
-/// Ratio of the roots of two areas, and of the distances from the center, from which that is tried. It saves time: the likeness of the
-/// shapes decides.
+/// Ratio of the roots of the areas, and of the spreads, from which the scaled source is matched too. This test only
+/// saves time; the likeness of the shapes decides.
 const UNLIKE_SIZES: f64 = 1.25;
 
-/// Ratio of the roots of two areas up to which an open surface may be a part of a closed one: a tenth of its area.
+/// Largest ratio of the roots of the areas at which an open surface may be a part of a closed one: a tenth of its area.
 const MOST_OF_PARTS: f64 = 3.2;
 
-/// The better of `found` and the answer for `source` scaled to the area of `target`, if their sizes differ that much.
+/// The better of `found` and the answer for `source` scaled to the area of `target`, if their sizes differ enough.
 ///
 /// # Errors
 /// As [`displaced()`].
 ///
 /// # Cost
-/// That of another match where the sizes differ, else none.
+/// Another match if the sizes differ, otherwise none.
 pub(crate) fn resized(
     source: &Levels,
     target: &Levels,
@@ -46,7 +46,7 @@ pub(crate) fn resized(
     let factor = target.full.root_mm / source.full.root_mm;
     let Some(as_they_are) = likeness(&found) else { return Ok(found) };
     let apart = |ratio: f64| ratio.max(1.0 / ratio);
-    // Noise makes an area larger, and hardly the distances through space; bending changes these and no area.
+    // Noise enlarges the area but hardly the spread; bending changes the spread but not the area. So both must differ.
     let of_spread = spread_mm(target.full.mesh()) / spread_mm(source.full.mesh());
     let differ = factor.is_finite() && apart(factor).min(apart(of_spread)) >= UNLIKE_SIZES;
     if !differ || is_of_a_part(source, target, factor) {
@@ -72,7 +72,8 @@ pub(crate) fn resized(
     Ok(of_equal_area.of_original(&levels, |pose| unscaled(pose, factor, &center)))
 }
 
-/// Whether the sizes differ by so much, as a factor from the source to the target, because one surface shows a part of what the other shows.
+/// Whether a difference in size, `factor` from the source to the target, is explained by one surface being a part of
+/// the other.
 fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
     match part(&source.full, &target.full) {
         None => false,
@@ -81,7 +82,7 @@ fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
     }
 }
 
-/// How much the shapes are alike in an answer by a smooth field.
+/// Likeness of the shapes according to an answer by a displacement field.
 fn likeness(answer: &Displaced) -> Option<f64> {
     answer.reliability.as_ref().map(reliability::likeness)
 }
@@ -91,12 +92,13 @@ fn center(mesh: &SurfaceMesh) -> Vector3<f64> {
     AreaMoments::of(mesh).map_or_else(Vector3::zeros, |moments| moments.mean)
 }
 
-/// The root mean square distance of the surface from its mean, mm; 1 where it has no area.
+/// The root mean square distance of the surface from its mean, mm; 1 if it has no area.
 fn spread_mm(mesh: &SurfaceMesh) -> f64 {
     AreaMoments::of(mesh).map_or(1.0, |moments| moments.variance().trace().sqrt())
 }
 
-/// The rigid transform that rotates as `pose` does and moves `center` to where `pose` moves it after scaling by `factor`.
+/// The rigid transform with the rotation of `pose` that moves `center` to the place to which `pose` moves it after
+/// scaling by `factor`.
 fn unscaled(pose: &RigidTransform, factor: f64, center: &Vector3<f64>) -> RigidTransform {
     let at = pose.apply(&Point3::from(center * factor)).coords;
     RigidTransform { rotation: pose.rotation, translation: at - pose.rotation * center }

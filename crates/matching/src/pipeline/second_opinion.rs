@@ -1,8 +1,9 @@
-//! A second opinion on an answer that has no verdict of its own: that of the default method.
+//! A second opinion by the default method, for answers of methods without a verdict.
 //!
-//! A labeling, nearest vertices after a rigid registration and the maps of published methods do not tell whether the surfaces show one structure,
-//! or whether another pose fits as well. The default method does. So it matches the same surfaces, and the answer is as reliable as its one if the
-//! two agree on the pose and on the corresponding points, and else not at all.
+//! Labelings, nearest vertices after a rigid registration and maps of published methods do not show whether the
+//! surfaces are of one structure, or whether another pose fits as well. The default method does. So it matches the same
+//! surfaces: if the two answers agree on the pose and on the corresponding points, the answer gets the verdict of the
+//! default method, otherwise it is unreliable.
 
 use super::images::displaced;
 use super::pose::posed;
@@ -20,16 +21,18 @@ use homolog_primitives::observe::Observer;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
-/// Agreement of the corresponding points from which two answers say the same: halfway between any two labelings and equal ones.
+/// Agreement of the corresponding points from which two answers count as equal: halfway between unrelated and equal
+/// maps.
 const LEAST_AGREEMENT: f64 = 0.5;
 
-/// `answer` with the verdict of the default method on it, unless it has one or the parameters ask for the field on which verdicts rest.
+/// `answer` with the verdict of the default method, unless it has a verdict or the parameters ask for a displacement
+/// field.
 ///
 /// # Errors
-/// As [`displaced()`], but that no registration was found is an opinion too.
+/// As [`displaced()`], except that `answer` is returned without a verdict if the default method finds no registration.
 ///
 /// # Cost
-/// That of a match by the default method, without what is measured on its answer.
+/// A match by the default method, without the measures of its answer.
 pub(crate) fn with_second_opinion(
     source: &Levels,
     target: &Levels,
@@ -48,7 +51,7 @@ pub(crate) fn with_second_opinion(
         other => other?,
     };
     let Some(mut reliability) = other.reliability.clone() else { return Ok(answer) };
-    // The levels number the vertices of surfaces that are in canonical numbering themselves.
+    // `from` was built from a mesh in canonical numbering, so its originals are the vertices of `answer`.
     let order = from.full.surface.numbering.by_original();
     let alone: &[bool] = match &other.images {
         Images::OnVertices => &[],
@@ -77,7 +80,7 @@ pub(crate) fn with_second_opinion(
     Ok(answer)
 }
 
-/// The parameters of the default method for the pair and what is known of it.
+/// The parameters of the default method, with the landmarks, seed and handedness of `parameters`.
 fn of_default_method(parameters: &MatchParameters) -> MatchParameters {
     let mut found = preset(Method::Balanced);
     found.landmarks.clone_from(&parameters.landmarks);
@@ -97,11 +100,11 @@ fn by_default_method(
     resized(source, target, parameters, found, observer)
 }
 
-/// How far two maps agree, from the two images of each vertex: 1 less the mean distance of the two images of a vertex, divided by that of images of
-/// vertices that have nothing to do with each other. 1 for equal maps, about 0 for unrelated ones; 0 without images.
+/// Agreement of two maps, from the two images of each vertex: 1 minus the mean distance of the two images of a vertex
+/// over that of the images of unrelated vertices. 1 for equal maps, about 0 for unrelated ones; 0 without images.
 fn agreement(pairs: &[(Point3<f64>, Point3<f64>)]) -> f64 {
     let apart: f64 = pairs.iter().map(|(a, b)| (a - b).norm()).sum();
-    // Vertices that are neighbors in canonical numbering are neighbors in space, and those half of it apart mostly are not.
+    // Neighbors in canonical numbering are neighbors in space; vertices half of the list apart mostly are not.
     let others = pairs.iter().cycle().skip(pairs.len() / 2);
     let unrelated: f64 = pairs.iter().zip(others).map(|((a, _), (_, b))| (a - b).norm()).sum();
     if unrelated > 0.0 { 1.0 - apart / unrelated } else { 0.0 }
@@ -135,7 +138,7 @@ mod tests {
             agreement(&(0..points.len()).map(|i| (points[i], points[other(i)])).collect::<Vec<_>>())
         };
         assert_eq!(paired(&|i| i), 1.0);
-        // A stride without a common divisor visits every vertex once, far from where the map began.
+        // A stride without a common divisor visits every vertex once, far from its image under the other map.
         let stride = points.len() / 2 + 7;
         assert!(paired(&|i| (i * stride + 13) % points.len()).abs() < 0.2);
         assert_eq!(agreement(&[]), 0.0);

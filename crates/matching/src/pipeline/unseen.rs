@@ -1,8 +1,8 @@
-//! A match inside of a match, of which the observer hears nothing.
+//! A match within a match, hidden from the observer.
 
 use homolog_primitives::observe::Observer;
 
-/// Passes on nothing but cancellation: phases, progress and trace are those of the match outside.
+/// Forwards only cancellation; phases, progress and trace are those of the outer match.
 pub(super) struct Unseen<'a>(pub &'a dyn Observer);
 
 impl Observer for Unseen<'_> {

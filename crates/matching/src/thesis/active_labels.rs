@@ -7,8 +7,7 @@ use homolog_mrf::inference::{ActiveModel, ActivePropagation, ActiveSets, BpOptio
 use homolog_primitives::observe::Cancelled;
 use rayon::prelude::*;
 
-/// Labels of a variable once a registration restricts them. On seven pairs of subjects 99.91 % of the labels and 99.98 % of
-/// the energy were those over all labels.
+/// Active labels of a variable after a registration restricts them.
 const WITH_FEEDBACK: usize = 64;
 /// Without feedback any label may be the best: a variable begins with one `SHARE`th of the labels, at least `AT_LEAST`.
 const SHARE: usize = 5;
@@ -23,7 +22,7 @@ const DEMANDED: usize = 2;
 pub(crate) struct ActiveLabels<'a> {
     model: &'a MrfModel,
     options: BpOptions,
-    /// What feedback adds, variable by variable, over all labels.
+    /// The addition of feedback to the unary potentials, variable by variable, over all labels.
     bias: Option<Table>,
     propagation: Option<ActivePropagation<'a>>,
     /// Whether the label sets were chosen under the present feedback.
@@ -94,7 +93,7 @@ impl Minimizer for ActiveLabels<'_> {
             None => {
                 let n = self.model.variables.n_vertices();
                 let candidates = sets.propose(n, self.model.n_labels(), evidence, observer)?;
-                // Candidates of this model's own numbers fit it.
+                // The candidates are of this model, so they fit it.
                 let Ok(model) = ActiveModel::of(self.model, candidates) else { unreachable!("sets of another model") };
                 ActivePropagation::new(model, self.options)
             }

@@ -1,4 +1,4 @@
-//! The lower bound of the energy, computed before the rounds of a match that asks for one.
+//! The lower bound of the energy, computed before the rounds if the parameters ask for it.
 
 use crate::error::MatchError;
 use homolog_mrf::MrfModel;

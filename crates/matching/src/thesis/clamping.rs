@@ -1,8 +1,8 @@
 //! Feedback from registration to the energy.
 //!
 //! **Hard** clamping (thesis, section 5.6): the unary potential of an inlier variable becomes 0 at its label and `T`
-//! elsewhere. **Soft** clamping adds to every unary potential how far the registered vertex lies from the label and
-//! how much their normals disagree.
+//! elsewhere. **Soft** clamping adds to every unary potential terms for the distance of the registered vertex from the
+//! label and for the angle between their normals.
 
 use homolog_registration::RigidTransform;
 use nalgebra::{Point3, Vector3};
@@ -20,7 +20,7 @@ pub(crate) struct SoftWeights {
     pub normal: f64,
 }
 
-/// The target side of soft clamping in 32 bits, coordinate by coordinate, so that the loop over labels vectorizes.
+/// The target side of soft clamping in 32 bits, one array per coordinate, so that the loop over labels vectorizes.
 pub(crate) struct SoftClamp {
     weights: SoftWeights,
     source: Vec<([f32; 3], [f32; 3])>,

@@ -1,4 +1,4 @@
-//! The first stage: what is to be solved, and on which level of the surfaces.
+//! The first stage: the problem to solve, and the levels of the surfaces on which it is solved.
 
 use super::bound::lower_bound;
 use super::prepare::build_model;
@@ -10,7 +10,7 @@ use crate::surface::levels::Levels;
 use homolog_contract::parameters::{Algorithm, MatchParameters};
 use homolog_primitives::observe::{Observer, checkpoint};
 
-/// Builds the energy that `parameters` ask for, and bounds it from below if they ask for that.
+/// Builds the energy that `parameters` ask for, and its lower bound if they ask for that.
 pub(crate) fn coarse<'a>(
     source: &'a Levels,
     target: &'a Levels,
@@ -21,7 +21,8 @@ pub(crate) fn coarse<'a>(
         let full = Scene::new(&source.full, &target.full, parameters, observer);
         return Ok(Coarse { source, target, full, problem: Problem::Registration });
     }
-    // The scene's tree of closest points is built on one thread, and both take about as long on fine surfaces.
+    // The scene builds its tree of closest points on one thread, which takes about as long as the model on fine
+    // surfaces.
     let (full, model) = rayon::join(
         || Scene::new(&source.full, &target.full, parameters, observer),
         || {

@@ -1,4 +1,5 @@
-//! Vertex features of two surfaces: curvature in scale space, and descriptors of many channels as a few principal components.
+//! Vertex features of two surfaces: curvature in scale space, and descriptors of many channels reduced to a few
+//! principal components.
 
 use crate::error::MatchError;
 use crate::surface::side::Side;
@@ -12,19 +13,20 @@ use homolog_mrf::{Feature, learned_weights};
 use homolog_primitives::observe::{Observer, checkpoint_within};
 use std::cell::OnceCell;
 
-/// What one element of the list `features` measures on one surface.
+/// The measurements of one element of the list `features` on one surface.
 enum Measured {
-    /// A list of values a scale.
+    /// A list of values for each scale.
     Scalars(Vec<Vec<f64>>),
     /// Many channels.
     Channels(Descriptor),
 }
 
-/// The features of both surfaces that `parameters` ask for, with their weights. `root_mm` is the size that relative lengths are
-/// multiples of; `radius_mm` is for estimators of curvature whose radius is not stated.
+/// The features of both surfaces that `parameters` ask for, with their weights. `root_mm` is the unit of relative
+/// lengths; `radius_mm` is the default radius of curvature estimators.
 ///
-/// A kind of many channels becomes up to eight features, the principal components of both surfaces together. They count as
-/// much as they vary, so that differences are those of the descriptors, and together as much as that many features of one number.
+/// A descriptor of many channels becomes up to eight features, the principal components of both surfaces together. Each
+/// is weighted by its variation, so that differences are those of the descriptors, and together they have the weight of
+/// that many scalar features.
 pub(crate) fn features(
     source: &Side,
     target: &Side,
@@ -33,7 +35,7 @@ pub(crate) fn features(
     radius_mm: f64,
     observer: &dyn Observer,
 ) -> Result<Vec<Feature>, MatchError> {
-    // Measured on the finer surface where this is a coarse level, and read at its vertices.
+    // On a coarse level features are measured on the finer surface, and read at the vertices of the coarse one.
     let finer = |side| Side::measured_on(side).map_or((side, None), |(finer, sites)| (finer, Some(sites)));
     let ((source, source_sites), (target, target_sites)) = (finer(source), finer(target));
     let (of_source, of_target) = rayon::join(
@@ -67,7 +69,7 @@ pub(crate) fn features(
                     add(stated.weight * share, one, other);
                 }
             }
-            // Both sides measure the same kinds.
+            // Both surfaces have the same kinds of features.
             _ => {}
         }
     }
@@ -78,7 +80,7 @@ pub(crate) fn features(
     Ok(features)
 }
 
-/// What every element of `parameters.features` measures on a surface.
+/// The measurements of every element of `parameters.features` on a surface.
 fn measured(
     side: &Side,
     parameters: &MatchParameters,
@@ -87,7 +89,7 @@ fn measured(
     observer: &dyn Observer,
 ) -> Result<Vec<Measured>, MatchError> {
     let (flow, spectrum) = (OnceCell::new(), OnceCell::new());
-    // Several features share a scale and an estimator; each pair is measured once.
+    // Several features share a scale and an estimator; each such pair is measured once.
     let mut known: Vec<(f64, Estimator, Curvatures)> = Vec::new();
     let mut at_scale = |scale_mm: f64, estimator: Estimator| -> Result<Curvatures, MatchError> {
         if let Some((.., both)) = known.iter().find(|(s, e, _)| (*s, *e) == (scale_mm, estimator)) {
@@ -110,7 +112,7 @@ fn measured(
     };
     let measure = |feature: &FeatureParameters| -> Result<Measured, MatchError> {
         let support_mm = feature.support * root_mm;
-        // Without the steps of voxels, which turn normals.
+        // Voxel steps would change the normals.
         let light = || &side.light().mesh;
         let spectrum = || match spectrum.get_or_init(|| unit_spectrum(light(), observer)) {
             Err(cancelled) => Err(MatchError::from(*cancelled)),

@@ -1,4 +1,4 @@
-//! One interface to all minimizers of the energy, so that the rounds of a match do not depend on which one runs.
+//! The common interface of all minimizers of the energy, so that the rounds of a match do not depend on the minimizer.
 
 use crate::pair::vertex_map::VertexMap;
 use homolog_contract::result::{ConvergenceDocument, StopReason};
@@ -6,7 +6,7 @@ use homolog_mrf::Energy;
 use homolog_primitives::observe::{Cancelled, Observer, TracePoint};
 use nalgebra::Point3;
 
-/// A labeling, and how the minimizer came to it.
+/// A labeling, and the course of its minimization.
 pub(crate) struct Labeled {
     pub map: VertexMap,
     pub energy: Energy,
@@ -30,12 +30,12 @@ pub(crate) struct InferenceRun<'r> {
     pub observer: &'r dyn Observer,
 }
 
-/// A minimizer that is used again from round to round.
+/// A minimizer that is reused from round to round.
 pub(crate) trait Minimizer {
-    /// Drops what earlier runs left: the next run starts cold.
+    /// Discards the state of earlier runs: the next run is a cold start.
     fn reset(&mut self);
 
-    /// Sets the unary potentials to the model's plus what `add(i, row)` adds to the row of variable `i`.
+    /// Sets the unary potentials to those of the model plus the additions of `add(i, row)` to the row of variable `i`.
     fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync));
 
     /// Minimizes the energy, and calls `on_step` with every point of the trace.

@@ -1,4 +1,4 @@
-//! The minimizer that the parameters name.
+//! The minimizer that the parameters ask for.
 
 use super::active_labels::ActiveLabels;
 use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
@@ -17,8 +17,8 @@ use homolog_mrf::{Labeling, MrfModel};
 use homolog_primitives::observe::{Cancelled, Phase, Quantity, TracePoint};
 use rayon::prelude::*;
 
-/// Smallest value of a message. It is far below `exp(−T)` at the default truncation, so that it only keeps products finite. Under
-/// the hard constraint there is none: it would be what a broken edge costs.
+/// Smallest value of a message. It is far below `exp(−T)` at the default truncation, and only keeps products finite.
+/// The hard constraint has no such floor: it would become the cost of a broken edge.
 const MESSAGE_FLOOR: f32 = 1e-5;
 /// The dual method ends when the energy is within this share of the bound.
 const GAP_TOLERANCE: f64 = 1e-6;
@@ -27,7 +27,7 @@ const PROGRESS_TOLERANCE: f64 = 1e-5;
 /// An annealer is frozen when no label has changed for this number of sweeps.
 const FROZEN_SWEEPS: u32 = 20;
 
-/// The minimizer that `parameters` name. `lower_bound` is a target for those that have one.
+/// The minimizer that `parameters` ask for. `lower_bound` is a target for minimizers that use one.
 pub(crate) fn minimizer<'a>(
     model: &'a MrfModel,
     parameters: &MatchParameters,
@@ -133,7 +133,7 @@ impl Minimizer for Dual<'_> {
                 energy_unary: Some(energy.unary),
                 energy_pairwise: Some(energy.pairwise),
                 labels_changed: (!last.is_empty()).then_some(changed as u32),
-                // The bound of an energy with feedback bounds no energy that is reported.
+                // With feedback the bound is that of another energy than the reported one.
                 lower_bound: self.biased.is_none().then_some(iteration.bound),
                 ..TracePoint::new(round, Phase::Inference, iteration.iteration)
             });
@@ -167,7 +167,7 @@ enum Engine<'a> {
     LasVegas(LasVegas<'a>),
 }
 
-/// A randomized minimizer. A round after the first starts with the labels of the one before.
+/// A randomized minimizer. Rounds after the first start with the labels of the previous round.
 struct Search<'a> {
     engine: Engine<'a>,
     seed: u64,

@@ -12,11 +12,11 @@ use homolog_mrf::{MrfModel, PairwisePotential, unary_potentials};
 use homolog_primitives::observe::{Observer, Silent};
 use nalgebra::Point3;
 
-/// Most that a landmark adds to a unary potential, so that a wrong one can be outvoted.
+/// Most that a landmark adds to a unary potential, so that a wrong landmark can be outvoted.
 const LANDMARK_CAP: f64 = 10.0;
 
-/// Adds `min(‖p'_x − q‖² / 2σ², cap)` to the unary potentials of the variable nearest to each landmark, `σ` no smaller
-/// than half an edge: labels lie no closer.
+/// Adds `min(‖p'_x − q‖² / 2σ², cap)` to the unary potentials of the variable nearest to each landmark. `σ` is at least
+/// half an edge, because labels are no closer.
 fn add_landmarks(unary: &mut [f32], source: &Side, target: &Side, landmarks: &[Landmark]) {
     let labels = target.mesh().vertices();
     let least_mm = if landmarks.is_empty() { 0.0 } else { 0.5 * target.mesh().mean_edge_length() };
@@ -32,8 +32,8 @@ fn add_landmarks(unary: &mut [f32], source: &Side, target: &Side, landmarks: &[L
     }
 }
 
-/// Cost of a broken edge under the hard constraint `T → ∞`: no unary potentials outweigh it, energies stay finite, and
-/// `exp(−60)` is still a 32-bit number.
+/// Cost of a broken edge under the hard constraint `T → ∞`: unary potentials never outweigh it, energies stay finite,
+/// and `exp(−60)` is representable in 32 bits.
 const HARD_TRUNCATION: f64 = 60.0;
 
 /// The energy of matching `source` to `target`.
@@ -43,7 +43,7 @@ pub(crate) fn build_model(
     parameters: &MatchParameters,
     observer: &dyn Observer,
 ) -> Result<MrfModel, MatchError> {
-    // One radius for both, or the coarser surface would appear smoother.
+    // Both use one radius: at different radii the coarser surface would appear smoother.
     let radius_mm = source.feature_radius_mm().max(target.feature_radius_mm());
     let root_mm = Lengths::of(source, target).root_mm;
     let features = features(source, target, parameters, root_mm, radius_mm, observer)?;

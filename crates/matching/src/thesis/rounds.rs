@@ -14,16 +14,16 @@ use homolog_contract::result::{Feedback, RoundDocument};
 use homolog_primitives::observe::{Phase, Quantity, TracePoint};
 use homolog_registration::{self, RansacMethods, RansacOptions, RansacReport, RigidTransform, ransac_with};
 
-/// `σ_g` of soft clamping in mean target edge lengths. Together with a weight of 2, a cap of 10 and 3 for normals it
-/// gave the best agreement of anterior and posterior labels between subjects of five settings tried.
+/// `σ_g` of soft clamping, in mean target edge lengths; chosen with weights of 2 (distance) and 3 (normals) and a cap
+/// of 10.
 const SOFT_SIGMA_EDGES: f64 = 2.0;
 
-/// Iterations of a round that starts from the messages or labels of the round before.
+/// Iterations of a round that starts from the messages or labels of the previous one.
 fn later_iterations(first: u32) -> u32 {
     first.div_ceil(4).max(2)
 }
 
-/// The share of a match that is done when its rounds are.
+/// Progress of a match after its rounds.
 fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
     match parameters.displacement.mode {
         DisplacementMode::None => PROGRESS_AT_END,
@@ -31,12 +31,12 @@ fn progress_after_rounds(parameters: &MatchParameters) -> f64 {
     }
 }
 
-/// Counts rounds and iterations, and how much of the planned work they are.
+/// Counts rounds and iterations, and their share of the planned work.
 struct Plan {
     rounds: u32,
     iterations: u32,
     planned: u32,
-    /// The share of a whole match that is done after the rounds.
+    /// Progress of the match after the rounds.
     until: f64,
 }
 
@@ -45,13 +45,13 @@ impl Plan {
         Plan { rounds: 0, iterations: 0, planned: first + n_rounds * later_iterations(first), until }
     }
 
-    /// The number of the round that begins.
+    /// The number of the next round.
     fn next_round(&mut self) -> u32 {
         self.rounds += 1;
         self.rounds - 1
     }
 
-    /// Counts one more iteration; returns the share of the whole work that is done.
+    /// Counts an iteration; returns the progress of the match.
     fn progress(&mut self) -> f64 {
         self.iterations += 1;
         PROGRESS_BEFORE_ROUNDS
@@ -67,7 +67,7 @@ enum Round {
     Unsupported(Labeled),
 }
 
-/// A labeling with the registration that it supports.
+/// A labeling and the registration that it supports.
 struct SupportedRound {
     number: u32,
     labeled: Labeled,
@@ -85,12 +85,12 @@ impl Round {
     }
 }
 
-/// What the rounds of one match share, and what runs them.
+/// Inputs of the rounds of a match.
 pub(crate) struct Rounds<'a> {
     pub problem: &'a EnergyProblem<'a>,
 }
 
-/// What runs from round to round.
+/// State that is kept from round to round.
 struct Course<'m> {
     minimizer: Box<dyn Minimizer + 'm>,
     plan: Plan,
@@ -98,8 +98,8 @@ struct Course<'m> {
 }
 
 impl Rounds<'_> {
-    /// Runs all rounds; the answer is that of the largest support. Feedback needs a transform: the first round without
-    /// one is the last, and it is chosen only if it is the only one.
+    /// Runs all rounds; the answer is the round of largest support. Feedback needs a transform: the first round without
+    /// one is the last, and is chosen only if it is the only one.
     pub(crate) fn run(&self) -> Result<Inferred, MatchError> {
         let p = self.problem.scene.parameters;
         let mode = p.clamping.mode;
@@ -121,7 +121,7 @@ impl Rounds<'_> {
             }
         };
         let mut trials = best.registration.trials;
-        // Later rounds start from where the round before ended and need fewer iterations.
+        // Later rounds start where the previous one ended, so they need fewer iterations.
         let later = later_iterations(p.inference.max_iterations);
         for round in 1..=n_rounds {
             let feedback = self.set_bias(&mut *course.minimizer, &best);
@@ -171,7 +171,7 @@ impl Rounds<'_> {
         Ok(closer_pose(source, target, scene.closest, present, scene.observer)?)
     }
 
-    /// A whole round from a cold start with the feedback of `pose`.
+    /// A full round from a cold start with the feedback of `pose`.
     fn round_from(&self, course: &mut Course<'_>, pose: &RigidTransform) -> Result<Round, MatchError> {
         course.minimizer.reset();
         self.set_soft_bias(&mut *course.minimizer, pose);
@@ -210,7 +210,7 @@ impl Rounds<'_> {
         minimizer.set_bias(&|i, row| clamp.add(i, row));
     }
 
-    /// Inference, then RANSAC over its pairs, then refinement.
+    /// Inference, RANSAC over its pairs, and refinement.
     fn round(&self, course: &mut Course<'_>, budget: u32, feedback: Feedback) -> Result<Round, MatchError> {
         let EnergyProblem { scene, lower_bound, .. } = self.problem;
         let (p, observer) = (scene.parameters, scene.observer);

@@ -1,5 +1,5 @@
-//! The third stage by a method of the field ([`homolog_methods`]) in place of the smooth displacement field: the source in the
-//! rigid pose, thinned where it is large, is matched to the target, and the map is carried to all of its vertices.
+//! The third stage by a published method ([`homolog_methods`]) instead of the smooth displacement field: the source in
+//! its rigid pose, thinned if it is large, is matched to the target, and the map is extended to all of its vertices.
 
 use crate::answer::displaced::{Displaced, Images, SmoothImages};
 use crate::answer::images::images;
@@ -17,32 +17,33 @@ use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Root mean square displacement in mean target edge lengths below which surfaces are copies and keep the pose.
+/// Root mean square displacement below which surfaces are copies and keep their pose, in mean target edge lengths.
 const COPY_EDGES: f64 = 0.5;
-/// Steps of the flow of a velocity field when all vertices are moved.
+/// Steps of the flow of a velocity field when it moves all vertices.
 const FLOW_STEPS: usize = 20;
 
-/// Most vertices of either surface that a method is given, and the memory that it takes for each of them, bytes: an upper
-/// bound. Whole processes took 25, 18, 43 and 14 MiB at the limits of coherent point drift, non-rigid ICP, functional maps and
-/// the flow, where 47, 47, 78 and 16 are counted.
+/// Most vertices of either surface for a method, and an upper bound of its memory per vertex, bytes. Measured at these
+/// limits: 25, 18, 43 and 14 MiB for coherent point drift, non-rigid ICP, functional maps and the flow; counted: 47,
+/// 47, 78 and 16 MiB.
 pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
     match mode {
         DisplacementMode::None | DisplacementMode::Smooth => None,
         DisplacementMode::Cpd | DisplacementMode::Bcpd => Some((1500, 16 << 10)),
         DisplacementMode::NonrigidIcp => Some((1500, 16 << 10)),
-        // Thinned surfaces need not be manifold, which a map onto the sphere needs; its memory grows with the surface alone.
-        // A triangle of a coarse surface can be wider than a tubular structure.
+        // Not thinned: a map onto the sphere needs manifold surfaces, which thinned ones need not be, and a triangle of
+        // a coarse surface can be wider than a tubular structure. The memory of these methods is linear in the surface.
         DisplacementMode::SpharmPdm | DisplacementMode::Medial => Some((usize::MAX, 4 << 10)),
         DisplacementMode::FunctionalMap => Some((2500, 16 << 10)),
         DisplacementMode::Diffeomorphic => Some((500, 16 << 10)),
     }
 }
 
-/// The images of the method that `displacement.mode` names, from `pose`. `None` where it finds no map: numbers that are not
-/// finite, or a surface that cannot be thinned to what the method can hold.
+/// The images by the method `displacement.mode`, from `pose`. `None` if it finds no map: if a number is not finite, or
+/// if a surface cannot be thinned to the limit of the method.
 ///
 /// # Errors
-/// [`MatchError::NoEllipsoid`] for SPHARM-PDM of a surface that is not closed or not of genus 0; [`MatchError::Cancelled`].
+/// [`MatchError::NoEllipsoid`] for SPHARM-PDM of a surface that is not closed or not of genus 0;
+/// [`MatchError::Cancelled`].
 pub(crate) fn by_method(
     coarse: &Coarse<'_>,
     pose: &RigidTransform,
@@ -71,7 +72,7 @@ pub(crate) fn by_method(
     Ok(Some(answered(coarse, pose, poses, moved)))
 }
 
-/// `mesh`, or a coarse version of it of about `most` vertices. `None` if it has more and no coarse version.
+/// `mesh`, or a coarse version of about `most` vertices if it has more. `None` if there is no coarse version.
 fn thinned(mesh: SurfaceMesh, most: usize) -> Option<SurfaceMesh> {
     if mesh.n_vertices() <= most { Some(mesh) } else { coarsen(&mesh, most).map(|coarse| coarse.mesh) }
 }
@@ -120,15 +121,15 @@ fn moved(
     })
 }
 
-/// The vertices of `whole` with the displacement of the closest points of `source`, whose vertices have these `images`.
+/// The vertices of `whole` displaced as the closest points of `source`, whose vertices have these `images`.
 fn carried(source: &SurfaceMesh, images: &[Point3<f64>], whole: &SurfaceMesh) -> Vec<Point3<f64>> {
     let index = ClosestPointIndex::new(source);
     let displacement = |k: usize| images[k] - source.vertices()[k];
     whole.vertices().par_iter().map(|p| p + index.closest(p).blend(displacement)).collect()
 }
 
-/// The answer for source vertices that are moved to `moved`, mm. The spread is the sampling error and the root mean square
-/// distance from the target, which is all that these methods leave unexplained; it was not calibrated.
+/// The answer for source vertices moved to `moved`, mm. The spread is the sampling error plus the root mean square
+/// distance from the target, the only residual that these methods give; it is not calibrated.
 fn answered(
     coarse: &Coarse<'_>,
     pose: &RigidTransform,

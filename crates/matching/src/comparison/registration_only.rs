@@ -18,10 +18,11 @@ use nalgebra::{Matrix3, Point3, Vector3};
 
 /// Steps of refinement on all vertices.
 const FULL_STEPS: u32 = 2;
-/// Refinement ends when a step rotates by less, radians, and moves by less, in diagonals of the source.
+/// Refinement ends when a step rotates by less than this, radians, and moves by less than this, in diagonals of the
+/// source.
 const TOLERANCE: f64 = 1e-5;
 
-/// Registers as `registration.initial` says, without an energy and without messages.
+/// Registers according to `registration.initial`, without an energy.
 pub(crate) fn register(scene: &Scene<'_>) -> Result<Registered, MatchError> {
     let (source, target) = (scene.source.mesh().vertices(), scene.target.mesh().vertices());
     let mut ambiguous_axes = false;
@@ -60,7 +61,8 @@ fn centroid_on_centroid(source: &[Point3<f64>], target: &[Point3<f64>]) -> Rigid
     RigidTransform { rotation: Matrix3::identity(), translation: center(target) - center(source) }
 }
 
-/// Aligns the first-order ellipsoids: by the pose of least rotation, or by the closest if that is asked for.
+/// Aligns the first-order ellipsoids: by the pose of least rotation, or by the closest pose if the parameters ask for
+/// it.
 fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
     let of = |mesh: &SurfaceMesh, surface: &'static str| -> Result<FirstOrderEllipsoid, MatchError> {
         let found = parametrize(mesh, &ParametrizationOptions::default(), scene.observer)
@@ -77,8 +79,8 @@ fn ellipsoids(scene: &Scene<'_>) -> Result<EllipsoidRegistration, MatchError> {
     Ok(register_by_ellipsoids(&source?, &target?, points, scene.closest, &options, scene.observer)?)
 }
 
-/// The best pose of the search of all orientations; and all that it found, the best first, with their distances. With
-/// reflections allowed the best of either handedness are among them.
+/// The best pose of the search of all orientations, and all poses that it found, the best first, with their distances.
+/// With reflections allowed these include the best of either handedness.
 fn of_search(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransform, f64)>) {
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let found = searched(scene.source, scene.target, scene.parameters.registration.allow_reflection);
@@ -90,11 +92,10 @@ fn of_search(scene: &Scene<'_>) -> (RigidTransform, Vec<(PoseOrigin, RigidTransf
     (best.unwrap_or_else(|| centroid_on_centroid(source.vertices(), target.vertices())), poses)
 }
 
-/// `start` refined in both directions on lightly smoothed surfaces where these are copies of one shape.
+/// `start` refined in both directions on lightly smoothed surfaces, if these are copies of one shape.
 ///
-/// Where shapes differ, the pose of the search stays: it is the orientation of pairs on a surface that may deform, and
-/// closest points would rotate it towards the least distance. Of 20 real warps of 8 %, 4 were off by more than 10 degrees
-/// after such a refinement, 1 before.
+/// If shapes differ, the pose of the search is kept: alignment to closest points would rotate it towards the least
+/// distance, not towards the correspondences of a surface that deforms.
 fn refined(scene: &Scene<'_>, start: &RigidTransform) -> Result<RigidTransform, MatchError> {
     let metric = match scene.parameters.registration.refine {
         Refinement::None => return Ok(*start),

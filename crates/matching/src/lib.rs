@@ -2,16 +2,16 @@
 //!
 //! A match runs in four stages, each of which hands an immutable value to the next:
 //!
-//! 1. **Coarse.** If an energy of labels is asked for, curvature in scale space on both surfaces makes it (a Markov random field whose
-//!    variables are source vertices and whose labels are target vertices) on a coarse level of the surfaces.
-//! 2. **Posed.** A minimizer finds a labeling; RANSAC finds the rigid transform that most of its pairs agree with; clamping feeds that
-//!    transform back into the energy, round by round; ICP refines it. Or registration alone finds a pose, without an energy. By
-//!    default the pose is left to the field.
+//! 1. **Coarse.** Builds the energy of labels on a coarse level of the surfaces, if one is asked for: a Markov random
+//!    field over curvature in scale space, whose variables are source vertices and whose labels are target vertices.
+//! 2. **Posed.** A minimizer finds a labeling; RANSAC finds the rigid transform that most of its pairs agree with;
+//!    clamping feeds that transform back into the energy, round by round; ICP refines it. Registration alone finds a
+//!    pose without an energy. By default the displacement field searches poses instead.
 //! 3. **Displaced.** A smooth displacement field moves the source, from the pose that fits best after the deformation,
 //!    and every source vertex gets an image on the target, between vertices. Without a field the images are vertices.
-//! 4. **Measured.** Support, distances, outliers, topology, and the map back to the source.
+//! 4. **Measured.** Support, distances, outliers, topology, and the inverse map.
 //!
-//! The [`Method`]s are presets of [`MatchParameters`]: which minimizer runs, if any, and which stages do what.
+//! The [`Method`]s are presets of [`MatchParameters`]: the minimizer, if any, and the work of each stage.
 //!
 //! ```
 //! use homolog_matching::{Method, Silent, SurfaceMesh, match_surfaces, preset, shapes};
@@ -29,8 +29,8 @@
 //! ```
 //!
 //! Parameters are checked by [`MatchParameters::check`], not by [`match_surfaces`]. An [`Observer`] is told phases,
-//! progress and the energy trace, and may cancel. This crate reads no files and starts no threads of its own but those of
-//! the current rayon pool; without its feature `serde` it has no wire form either.
+//! progress and the energy trace, and may cancel. This crate reads no files, runs only on the threads of the current
+//! rayon pool, and has a wire form only with its feature `serde`.
 
 mod answer;
 mod comparison;

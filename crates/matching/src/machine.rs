@@ -1,4 +1,4 @@
-//! What the numerics ask of the machine, once in a process.
+//! Machine-dependent state of the numerics, read once in a process.
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
@@ -6,9 +6,10 @@ use faer::{Accum, Mat, Par};
 /// Rows and columns of the matrices that are multiplied: large enough that the product is computed in blocks.
 const SIZE: usize = 160;
 
-/// Makes the numerics read the sizes of the processor's caches now, which they otherwise do when they first multiply large
-/// matrices. The sizes decide in which blocks products are summed and, on some processors, are read from files of the system:
-/// a process that gives up the right to open files calls this before, so that its answers have the same bits as those of others.
+/// Reads the sizes of the processor's caches, which the numerics otherwise read when they first multiply large
+/// matrices. The sizes determine the blocks in which products are summed and, on some processors, come from system
+/// files. A process that gives up the right to open files must call this first, so that its answers have the same bits
+/// as those of other processes.
 ///
 /// # Cost
 /// About a millisecond.

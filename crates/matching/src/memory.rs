@@ -1,28 +1,29 @@
-//! The memory of a match, known before it begins.
+//! The memory of a match, estimated before it begins.
 
 use crate::comparison::field_methods;
 use crate::surface::form::BendingInvariantForm;
 use crate::surface::levels::Levels;
 use homolog_contract::parameters::{Algorithm, Bending, DisplacementMode, FeatureKind, MatchParameters};
 
-/// Memory of a match for each vertex of either surface, bytes, without messages: 568 MiB were measured at 2 × 155,000.
+/// Memory of a match without messages for each vertex of either surface, bytes (568 MiB were measured at 2 × 155,000).
 const BYTES_PER_VERTEX: u64 = 2048;
 
-/// Memory for each source vertex of the source at the size of the target, bytes: 69 MB more were measured at 86,709. Whether the sizes
-/// differ is not known from the numbers of vertices.
+/// Memory for the source at the size of the target, bytes per source vertex (69 MB were measured at 86,709). Always
+/// counted, as the numbers of vertices do not show whether sizes differ.
 const BYTES_PER_RESIZED_VERTEX: u64 = 800;
 
-/// Memory of belief propagation over distances along the surface on two threads, bytes: 47 and 39 MiB more were measured at 2 × 5,000, with the
-/// forms of both surfaces. The tables of a start take 8 MiB (about 1,900 edges, 32 active labels at either end, 32 bits), and each
-/// further thread has one more start at work. Whether surfaces bend is not known from the numbers of vertices.
+/// Memory of belief propagation over distances along the surface on two threads, bytes (47 and 39 MiB were measured at
+/// 2 × 5,000, with the forms of both surfaces). The tables of a start take 8 MiB (about 1,900 edges, 32 active labels
+/// at either end, 32 bits), and each further thread runs one more start. Always counted, as the numbers of vertices do
+/// not show whether surfaces bend.
 const BYTES_OF_NEAR_ISOMETRIES: u64 = 44 << 20;
 
-/// Vectors of a surface while its lowest 80 eigenfunctions are found: a Krylov basis of 208, its images, both as matrices, and the
-/// functions with their images; and signatures.
+/// Vectors of a surface during the computation of its lowest 80 eigenfunctions: a Krylov basis of 208 and its images,
+/// both as matrices, the functions with their images, and signatures.
 const SPECTRAL_VECTORS: u64 = 4 * 208 + 3 * 80;
 
-/// Numbers of each vertex that descriptors hold while the features of a surface are measured: channels, and those once more where
-/// principal components are made of them.
+/// Numbers per vertex that descriptors hold during the measurement of features: all channels, and a copy if principal
+/// components are computed.
 fn described_numbers(parameters: &MatchParameters) -> u64 {
     let channels = |kind: FeatureKind| match kind {
         FeatureKind::SpinImage => 128,
@@ -39,14 +40,13 @@ fn described_numbers(parameters: &MatchParameters) -> u64 {
     all + largest + if kinds().any(is_spectral) { SPECTRAL_VECTORS } else { 0 }
 }
 
-/// Peak memory of matching surfaces of these sizes, bytes; accurate to a tenth where messages dominate. `source` is the
+/// Peak memory of a match of surfaces of these sizes, bytes; accurate to a tenth if messages dominate. `source` is the
 /// number of vertices and faces.
 ///
-/// On the level on which the energy is minimized: the messages once and a quarter of them again (those that are read while
-/// they are replaced), in 32 or 16 bits, and two tables of unary potentials in 32; a share for each vertex; and that of a
-/// method of the field for each vertex of the thinned surfaces that it is given, the bending-invariant forms, and descriptors of many
-/// channels. A closed
-/// surface of genus 0 has `V + F − 2` edges, whatever its faces.
+/// On the level of the energy: the messages and a quarter of them again (those read while they are replaced), in 32 or
+/// 16 bits, and two tables of unary potentials in 32; a share for each vertex; the memory of a published method for
+/// each vertex of the thinned surfaces, of the bending-invariant forms, and of descriptors of many channels. A closed
+/// surface of genus 0 has `V + F − 2` edges.
 pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parameters: &MatchParameters) -> u64 {
     let (mut vertices, faces, mut labels) = (source.0 as u64, source.1 as u64, target_vertices as u64);
     let of_method = field_methods::limits(parameters.displacement.mode)
@@ -59,7 +59,7 @@ pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parame
         + match (parameters.displacement.mode, parameters.displacement.bending) {
             (DisplacementMode::Smooth, Bending::NearIsometry) => bent(),
             (DisplacementMode::Smooth, _) => 0,
-            // The second opinion has levels of its own beside those of the answer.
+            // The second opinion builds its own levels in addition to those of the answer.
             _ => BYTES_PER_VERTEX * (vertices + labels) + bent(),
         };
     let each = BYTES_PER_VERTEX * (vertices + labels) + of_field + of_method;

@@ -1,11 +1,11 @@
-//! The methods of the field as presets: a warp with a known truth is matched better than by the rigid pose they start from,
-//! on thinned surfaces too, and memory is counted.
+//! Published methods as presets: a warp with a known truth is matched better than by the rigid pose they start from,
+//! also on thinned surfaces, and memory is counted.
 //!
-//! The thresholds were set before any result was seen: half the error of the rigid pose, and for SPHARM-PDM, which sees no
-//! distances in space, less than that of the rigid pose. Then two things were changed. The first pair had no relief that shows a
-//! displacement along the surface; on it errors fell to between 0.68 and 0.96 of the rigid ones, and the relief was added.
-//! On the new pair SPHARM-PDM, which does not see relief, left 2.46 mm of 1.70 mm: it is tested on a stretched surface instead.
-//! Functional maps need not halve the error any more: a warp is no isometry, and on real warps they leave 0.5 to 0.8 of it.
+//! The thresholds were set before the first results: half the error of the rigid pose, and for SPHARM-PDM, which
+//! ignores distances in space, less than that of the rigid pose. Two things were then changed. The first pair had no
+//! relief, which is what shows a displacement along the surface: errors were 0.68 to 0.96 of the rigid ones, and relief
+//! was added. SPHARM-PDM does not use relief (2.46 mm of 1.70 mm), so it is tested on a stretched surface. Functional
+//! maps need not halve the error: a warp is no isometry, and on real warps they leave 0.5 to 0.8 of it.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout)]
 
 use homolog_contract::parameters::{Method, preset};

@@ -1,4 +1,4 @@
-//! What a displacement field adds to a match: images between vertices, the map back, reliability.
+//! Additions of a displacement field to a match: images between vertices, the inverse map, reliability.
 
 use super::displacement::lopsided_bean;
 use super::{bean, motion};
@@ -15,7 +15,7 @@ fn run(source: &SurfaceMesh, target: &SurfaceMesh, request: Value) -> MatchOutco
     match_surfaces(source, target, &parameters, &Silent).unwrap()
 }
 
-/// The point that row `k` of the correspondences names.
+/// The target point of row `k` of the correspondences.
 fn point(target: &SurfaceMesh, triangle: [u32; 3], weights: [f64; 3]) -> Point3<f64> {
     let corners = triangle.map(|c| target.vertices()[c as usize].coords);
     Point3::from(corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2])
@@ -43,7 +43,7 @@ fn images_lie_between_vertices_and_the_map_back_inverts_the_map() {
     assert!(mean < 0.5 * edge, "{mean} mm, an edge is {edge} mm");
     let inverse = found.inverse.as_ref().unwrap();
     assert_eq!(inverse.source.len(), target.n_vertices());
-    // There and back again: from a target vertex to the source, and on by the images of that triangle's corners.
+    // From a target vertex to the source, and back by the images of the corners of that triangle.
     let back: f64 = (0..target.n_vertices())
         .map(|j| (point(&source, inverse.triangle[j], inverse.barycentric[j]) - source.vertices()[j]).norm())
         .sum::<f64>()
@@ -84,7 +84,7 @@ fn vertices_beyond_the_end_of_an_open_target_have_no_counterpart() {
     let (mut beyond, mut within) = ((0, 0), (0, 0));
     for (p, reason) in source.vertices().iter().zip(&outcome.correspondences.outlier) {
         let alone = usize::from(*reason == OutlierReason::NoCounterpart);
-        // Near the rim either is right.
+        // Near the rim both are acceptable.
         if p.x > limit + 3.0 * edge {
             beyond = (beyond.0 + alone, beyond.1 + 1);
         } else if p.x < limit - 3.0 * edge {
@@ -97,7 +97,7 @@ fn vertices_beyond_the_end_of_an_open_target_have_no_counterpart() {
 
 #[test]
 fn landmarks_decide_between_poses_that_fit_equally_well() {
-    // An ellipsoid fits equally well when it is rotated by 180 degrees about its long axis.
+    // An ellipsoid also fits after half a turn about its long axis.
     let source = homolog_mesh::shapes::ellipsoid(Vector3::new(16.0, 8.0, 6.0), 3);
     let target = source.transformed(&motion());
     let landmark = |p: [f64; 3]| json!({"source_mm": p, "target_mm": (motion() * Point3::from(p)).coords.as_slice()});

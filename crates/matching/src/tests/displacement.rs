@@ -53,7 +53,7 @@ fn displace_from(
     Ok(fitted.map(|fitted| DisplacementAnswer::of(fitted, &surfaces)))
 }
 
-/// A lopsided bean of 2562 vertices, its cross-sections rounded triangles: round ones would have nothing against rolling.
+/// A lopsided bean of 2562 vertices with rounded triangles as cross-sections: round sections would not resist rotation.
 pub(crate) fn lopsided_bean() -> SurfaceMesh {
     let mesh = ellipsoid(Vector3::new(18.0, 7.0, 5.0), 4);
     let bent = mesh
@@ -232,7 +232,7 @@ fn a_densely_sampled_end_counts_by_its_area_in_the_agreement_of_normals() {
     let mut uniform = numbers(7);
     let mut rough = |p: &Point3<f64>| if p.x > 13.0 { p + Vector3::from_fn(|_, _| 3.0 * uniform() - 1.5) } else { *p };
     let target = canonicalize(&bean.with_vertices(bean.vertices().iter().map(&mut rough).collect()).unwrap());
-    // The same surface with four of five vertices at the end that is rough on the target.
+    // The same surface with four of five vertices at the end where the target is rough.
     let (mut vertices, mut faces) = (bean.vertices().to_vec(), bean.indices().to_vec());
     for _ in 0..3 {
         for at in (0..faces.len()).step_by(3) {
@@ -299,7 +299,7 @@ fn there_and_back_is_the_same_place() {
         let place = at.blend(|k| back.images[k].closest.point.coords);
         (place - source.vertices()[i].coords).norm() / edge
     };
-    // Fitted on its own in each direction, 1.6.
+    // Fits of each direction alone leave 1.6.
     let worst = (0..source.n_vertices()).map(returned).fold(0.0, f64::max);
     assert!(worst < 0.6, "{worst} edges");
 }

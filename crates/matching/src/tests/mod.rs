@@ -17,7 +17,7 @@ pub(crate) fn bean() -> SurfaceMesh {
     bean_of(3)
 }
 
-/// The same of `10 · 4^level + 2` vertices.
+/// A lopsided bean of `10 · 4^level + 2` vertices.
 fn bean_of(level: u32) -> SurfaceMesh {
     let mesh = ellipsoid(Vector3::new(14.0, 6.0, 4.5), level);
     let bent = mesh
@@ -36,7 +36,7 @@ fn bean_of(level: u32) -> SurfaceMesh {
     mesh.with_vertices(bent).unwrap()
 }
 
-/// Vertices and faces in another order, faces started elsewhere; returns for each old vertex its new index.
+/// Renumbers vertices and faces, and rotates the corners of faces; returns the new index of each old vertex.
 fn renumbered(mesh: &SurfaceMesh, step: usize) -> (SurfaceMesh, Vec<u32>) {
     let n = mesh.n_vertices();
     let new_of_old: Vec<u32> = (0..n).map(|k| ((k * step + 17) % n) as u32).collect();
@@ -137,7 +137,7 @@ fn one_thread_and_many_give_the_same_bytes() {
 #[test]
 fn a_quad_surface_matches_its_copy() {
     use homolog_mesh::shapes::torus;
-    // Genus 1 is refused at intake; the numerics do not mind, and its quads are what is tested here.
+    // Genus 1 is refused at intake but works in the algorithms; this test is about its quads.
     let ring = torus(10.0, 4.0, 40, 20, FaceArity::Quad);
     let bumped = ring
         .vertices()
@@ -194,7 +194,7 @@ fn progress_and_trace_only_go_forward() {
     let p = parameters(json!({"inference": {"max_iterations": 12}}));
     let outcome = match_surfaces(&surface, &surface, &p, &record).unwrap();
     let (progress, mut trace) = record.0.into_inner().unwrap();
-    // The energy of the answer is the last point, of whichever round it is.
+    // The last point is the energy of the answer, in any round.
     let answer = trace.pop().unwrap();
     assert!(answer.chosen && trace.iter().all(|t| !t.chosen));
     assert!(progress.windows(2).all(|w| w[0] <= w[1]) && progress.iter().all(|f| (0.0..=1.0).contains(f)));
@@ -232,7 +232,7 @@ fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field(
     assert!(!from_nothing.chosen && clamped.chosen && clamped.energy == energies.r#final);
     assert!(energies.r#final == energies.unary + energies.pairwise && energies.r#final < energies.initial);
     assert_eq!(energies.per_variable, energies.r#final / f64::from(energies.n_variables));
-    // Two of three labels from nothing support the pose, and nearly all those of the answer.
+    // Two thirds of the labels without a start support the pose, and nearly all labels of the answer.
     assert!(3 * from_nothing.support >= 2 * energies.n_variables && 10 * clamped.support >= 9 * energies.n_variables);
     assert!(outcome.support.trials > 0 && outcome.support.confidence_reached);
     assert_eq!((answer.phase, answer.chosen, answer.round), (Phase::Reporting, true, clamped.round));
@@ -247,21 +247,21 @@ fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field(
         assert_eq!(point.phase, Phase::Displacement);
         let [energy, misfit, cost] = [point.energy, point.energy_unary, point.energy_pairwise].map(Option::unwrap);
         assert!(misfit > 0.0 && cost > 0.0 && energy == misfit + cost, "{point:?}");
-        // Each fit begins at 1 and counts on.
+        // Each fit counts its iterations from 1.
         let before = k.checked_sub(1).map(|before| (trace[before].round, trace[before].iteration));
         let follows = before.is_some_and(|(round, iteration)| (round, iteration + 1) == (point.round, point.iteration));
         let begins = before.map_or(0, |(round, _)| round + 1) == point.round && point.iteration == 1;
         assert!(follows || begins, "{before:?} {point:?}");
     }
-    // At one scale the misfit falls while the surfaces come closer.
+    // At one scale the misfit falls as the surfaces approach each other.
     let misfit = |k: usize| trace[k].energy_unary.unwrap();
     assert!(misfit(7) < misfit(0), "{} {}", misfit(0), misfit(7));
 }
 
 #[test]
 fn the_memory_of_a_match_is_predicted() {
-    // A triangle mesh of 2,310 vertices against 2,626: a peak of 242 MiB was measured for the whole process, of which 17
-    // are there without any messages. Neither it nor the next pair is bent.
+    // A triangle mesh of 2,310 vertices against 2,626: the measured peak of the whole process is 242 MiB, 17 of them
+    // without any messages. Neither this pair nor the next is bent.
     let mib = |n: usize, labels: usize, request: serde_json::Value| {
         match_memory_bytes((n, 2 * n - 4), labels, &parameters(request)) as f64 / f64::from(1 << 20)
     };
@@ -271,15 +271,15 @@ fn the_memory_of_a_match_is_predicted() {
     // Two phantoms of 2,302 and 2,351 with messages of 16 bits: 127 MiB.
     let half = mib(2302, 2351, stiff(json!({"coarse_vertices": null, "message_bits": 16})));
     assert!((0.9 * 127.0..1.1 * 127.0).contains(&half), "{half}");
-    // On a coarse level it grows with the surfaces, not with their product.
+    // On a coarse level memory grows with the surfaces, not with their product.
     let (small, large) = (mib(10_000, 10_000, json!({})), mib(160_000, 160_000, json!({})));
     assert!(small < 120.0 && large < 16.0 * small, "{small} {large}");
-    // Two bent bodies of 5,000, matched by their bending-invariant forms and without: 45 MiB lie between.
+    // Two bent bodies of 5,000 vertices, with and without bending-invariant forms: they differ by 45 MiB.
     let (bent, rigid) = (mib(5000, 5000, json!({})), mib(5000, 5000, stiff(json!({}))));
     assert!((0.9 * 45.0..1.1 * 45.0).contains(&(bent - rigid)), "{bent} {rigid}");
 }
 
-/// Share of source vertices answered with the vertex they were moved to.
+/// Share of source vertices whose label is the vertex that they were moved to.
 fn exact(outcome: &MatchOutcome) -> f64 {
     let target = &outcome.correspondences.target;
     target.iter().enumerate().filter(|(i, x)| *i as u32 == **x).count() as f64 / target.len() as f64
@@ -290,14 +290,14 @@ fn every_method_registers_a_copy() {
     let source = bean();
     let near = Isometry3::new(Vector3::new(3.0, -2.0, 1.0), Vector3::new(0.1, 0.05, -0.15));
     for method in Method::ALL {
-        // The baseline from the centroids is for surfaces that are nearly aligned; all others take any pose.
+        // The baseline from the centroids needs surfaces that are nearly aligned; all others accept any pose.
         let truth = if method == Method::Icp { near } else { motion() };
         let outcome = run(&source, &source.transformed(&truth), &parameters(json!({"method": method.name()})));
         let found = nalgebra::Matrix4::from_fn(|r, c| outcome.transform.matrix[r][c]);
         let moved: f64 =
             source.vertices().iter().map(|p| (found.transform_point(p) - truth * p).norm()).fold(0.0, f64::max);
         match method {
-            // Its four poses differ by rotations of 180 degrees, and the closest need not be the right one.
+            // The four poses differ by half turns, and the closest need not be the right one.
             Method::Foe => assert_eq!(outcome.poses.len(), 4),
             _ => assert!(moved < 0.5, "{}: {moved} mm", method.name()),
         }
@@ -318,7 +318,7 @@ fn squeezed(mesh: &SurfaceMesh) -> SurfaceMesh {
 
 #[test]
 fn no_energy_is_below_the_bound() {
-    // Not copies, whose energy and bound are both 0.
+    // Not copies, for which energy and bound are both 0.
     let source = bean();
     let target = squeezed(&source);
     for method in ["balanced", "gibbs", "las_vegas"] {

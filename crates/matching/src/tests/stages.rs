@@ -1,4 +1,4 @@
-//! What each stage of a match hands to the next.
+//! Values passed between the stages of a match.
 
 use super::{bean, motion};
 use crate::answer::displaced::{Displaced, Images, labeling_of_energy};
@@ -17,7 +17,7 @@ use nalgebra::Point3;
 use serde_json::{Value, json};
 use std::sync::Mutex;
 
-/// The bean, and the bean slightly deformed and moved: no three distances are the same on both.
+/// The bean, and the bean slightly deformed and moved. No three distances are equal on both.
 fn pair() -> (SurfaceMesh, SurfaceMesh) {
     let source = bean();
     let deformed = source.vertices().iter().map(|p| Point3::new(p.x, p.y * (1.0 + 0.003 * p.x), 1.01 * p.z));
@@ -29,7 +29,7 @@ fn parameters(request: Value) -> MatchParameters {
     resolve(&request).unwrap()
 }
 
-/// Calls `see` with what each stage makes of the pair.
+/// Calls `see` with the results of each stage for the pair.
 fn stages(
     request: Value,
     see: impl FnOnce(&Coarse<'_>, &Posed<'_>, Result<&Displaced, MatchError>),
@@ -43,7 +43,7 @@ fn stages(
     displaced.map(|displaced| measured(&coarse, &posed, &displaced))
 }
 
-/// How far `found` is from the motion of the pair, degrees.
+/// Rotation between `found` and the motion of the pair, degrees.
 fn off(found: &RigidTransform) -> f64 {
     let truth = RigidTransform {
         rotation: *motion().rotation.to_rotation_matrix().matrix(),
@@ -52,7 +52,7 @@ fn off(found: &RigidTransform) -> f64 {
     found.angle_to(&truth).to_degrees()
 }
 
-/// An allowed tolerance that no three labels are within.
+/// An allowed tolerance that no three labels meet.
 const TINY_MM: f64 = 1e-12;
 
 fn tiny_tolerance(mut request: Value) -> Value {
@@ -142,7 +142,7 @@ fn without_a_field_a_coarse_labeling_is_answered_with_the_nearest_vertices() {
         assert_eq!(displaced.labeling.len(), coarse.full.source.mesh().n_vertices());
     })
     .unwrap();
-    // The energy is that of the labels that the rounds found.
+    // The energy is that of the labels of the chosen round.
     let chosen = outcome.rounds.iter().find(|r| r.chosen).unwrap();
     assert_eq!(outcome.energy.unwrap().r#final, chosen.energy);
 }
@@ -180,7 +180,7 @@ fn without_a_displacement_field_only_the_rounds_of_an_energy_can_lack_a_registra
     }
 }
 
-/// Keeps what it is told.
+/// Records all reports.
 #[derive(Default)]
 struct Record(Mutex<(Vec<Phase>, Vec<TracePoint>)>);
 

@@ -32,17 +32,17 @@ use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 
 /// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.
 ///
-/// `source` is moved onto `target`; both are surfaces of any topology whose faces look outwards, mm. The answer is the same
-/// to the bit for the same surfaces, parameters and seed, on any number of threads, and renumbering the vertices of an input
-/// permutes it. Parameters are taken as they are: [`MatchParameters::check`] says which values are allowed.
+/// `source` is moved onto `target`; both are surfaces of any topology whose faces look outwards, mm. The answer is the
+/// same to the bit for the same surfaces, parameters and seed, on any number of threads, and renumbering the vertices
+/// of an input permutes it. Parameters are taken as they are: [`MatchParameters::check`] says which values are allowed.
 ///
 /// # Errors
 /// [`MatchError`].
 ///
 /// # Cost
-/// Time `O(iterations · |E→| · n' · k̄)`; memory `1.25·|E→|·n'` numbers of 32 or 16 bits for the messages, for `n'` labels,
-/// `|E→|` directed edges and `k̄` labels within the neighborhood radius on the level on which the energy is minimized;
-/// and `O(n log n)` for the vertices beside it.
+/// Time `O(iterations · |E→| · n' · k̄)`; memory `1.25·|E→|·n'` numbers of 32 or 16 bits for the messages, for `n'`
+/// labels, `|E→|` directed edges and `k̄` labels within the neighborhood radius on the level on which the energy is
+/// minimized; and `O(n log n)` for the vertices beside it.
 pub fn match_surfaces(
     source: &SurfaceMesh,
     target: &SurfaceMesh,

@@ -5,7 +5,8 @@ use homolog_contract::result::{
     RoundDocument, StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
 };
 
-/// The result of [`crate::match_surfaces`]. With timings and provenance it makes a [`homolog_contract::result::ResultDocument`].
+/// The result of [`crate::match_surfaces`]. With timings and provenance it makes a
+/// [`homolog_contract::result::ResultDocument`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct MatchOutcome {
     /// The rigid transform.

@@ -64,7 +64,8 @@ mod tests {
     use homolog_mesh::shapes::ellipsoid;
     use nalgebra::{Point3, Vector3};
 
-    /// A surface with one plane of symmetry, `z = 0`, bent by `angle` radians within that plane, in canonical numbering.
+    /// A surface with one plane of symmetry, `z = 0`, bent by `angle` radians within that plane, in canonical
+    /// numbering.
     fn symmetric(angle: f64) -> SurfaceMesh {
         let mesh = ellipsoid(Vector3::new(16.0, 6.0, 5.0), 4);
         let radius = 32.0 / angle;

@@ -90,7 +90,8 @@ mod tests {
         mesh.vertices().iter().map(|p| Point3::from(map * p.coords)).collect()
     }
 
-    /// Logarithms of the singular values of the map of one triangle, from the map between orthonormal bases of the two planes.
+    /// Logarithms of the singular values of the map of one triangle, from the map between orthonormal bases of the two
+    /// planes.
     fn of_triangle(before: [Point3<f64>; 3], after: [Point3<f64>; 3]) -> [f64; 2] {
         let plane = |[a, b, c]: [Point3<f64>; 3]| {
             let x = (b - a).normalize();

@@ -15,7 +15,8 @@ use homolog_registration::{RigidTransform, SurfaceSide};
 /// diagonals.
 const TOLERANCE: f64 = 1e-4;
 
-/// Infers the labels of near isometries between the surfaces of `coarse`, prepared as `smoothed`, and traces their energy.
+/// Infers the labels of near isometries between the surfaces of `coarse`, prepared as `smoothed`, and traces their
+/// energy.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].

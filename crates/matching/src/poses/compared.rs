@@ -49,7 +49,8 @@ pub(crate) struct ComparedPose {
     pub origin: Origin,
     /// Whether the start mirrors the source.
     pub mirrored: bool,
-    /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is better.
+    /// Misfit after the deformation: mean of `−ln` of the likelihood of the other surface at each point. Lower is
+    /// better.
     pub misfit: f64,
     /// How the start fared in later stages.
     pub finer: Finer,

@@ -76,8 +76,8 @@ pub(crate) fn build_model(
     })
 }
 
-/// The energy of matching `source` to `target`, as [`crate::match_surfaces`] minimizes it in its first round. Variables and
-/// labels are in canonical numbering (see [`homolog_mesh::canonicalize`]).
+/// The energy of matching `source` to `target`, as [`crate::match_surfaces`] minimizes it in its first round. Variables
+/// and labels are in canonical numbering (see [`homolog_mesh::canonicalize`]).
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`].

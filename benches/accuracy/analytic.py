@@ -1,8 +1,9 @@
 """The sets `analytic_*`: smooth closed surfaces given by formulas, and their smoothly warped copies, without noise.
 
-A surface is the image of the unit sphere, so each side is sampled on its own with all vertices exactly on its surface, and
-the true image of a source vertex is that vertex after the warp. Warps are flows of `warped.Flow`. Shape and warp of a pair depend on
-its index alone: they are the same in every size, and in the two sizes of warp but for the scale of the velocity.
+A surface is the image of the unit sphere. Each side is sampled independently with all vertices exactly on its surface,
+and the true image of a source vertex is the warped vertex. Warps are flows of `warped.Flow`. Shape and warp of a pair
+depend only on its index: they are the same at every number of vertices, and for both sizes of warp except for the scale
+of the velocity.
 """
 
 import functools
@@ -17,15 +18,15 @@ from warped import Flow
 
 KEPT = True
 WARPS_PCT = [5, 10]
-"""Root mean square displacement about its mean, percent of the source's diagonal."""
+"""Root mean square of the displacement about its mean, percent of the source's diagonal."""
 N_VERTICES = [1000, 3000, 10000]
 WIDTHS = [0.15, 0.25, 0.4, 0.6]
-"""Standard deviation of the kernels, as a share of the diagonal; one for each index, in turns."""
+"""Standard deviations of the kernels, as a share of the diagonal; indices take turns."""
 MEAN_RADIUS = (12.0, 18.0)
-"""Of the sphere of the same area, mm."""
+"""Range of the radius of the sphere of equal area, mm."""
 
 LEAST_VARIATION = 0.22
-"""Of the radius of a blob, as a share of its mean: a warped round one has no pose that could be known."""
+"""Least relative variation of the radius of a blob: the pose of a warped round blob cannot be determined."""
 
 
 def star(draws):
@@ -61,7 +62,8 @@ def bent(draws):
 
 
 def blob(draws):
-    """Where a sum of Gaussians has one value; drawn again until rays from the center leave it once and it is far from round."""
+    """Level set of a sum of Gaussians; drawn again until rays from the center leave it once and it is far from
+    round."""
     while True:
         centers = draws.normal(size=(7, 3))
         centers *= draws.uniform(0.3, 1.0, 7)[:, None] / np.linalg.norm(centers, axis=1, keepdims=True)
@@ -90,7 +92,8 @@ def blob(draws):
 
 
 SHAPES = {"star": [star], "": [bent, blob]}
-"""The part of a set's name that says so, and the shapes of its indices; eight indices have every width with every shape."""
+"""Shapes of each part of a set's name; their indices take turns, so that eight indices have every width with every
+shape."""
 KINDS = [
     "_".join(filter(None, ["analytic", shape, str(warp), str(n)]))
     for shape in SHAPES
@@ -106,7 +109,7 @@ def names(cases, kind, n):
 
 
 def parts_of(kind):
-    """Shapes, warp in percent and vertices of a set."""
+    """Shapes, warp in percent and number of vertices of a set."""
     *shape, warp, n = kind.removeprefix("analytic_").split("_")
     return "".join(shape), int(warp), int(n)
 

@@ -1,8 +1,8 @@
-"""Bodies for `bodies.py`: bones with joints, the solids around them, and how far each joint may turn.
+"""Bodies for `bodies.py`: bones with joints, the solids around them, and the ranges of the joints.
 
-Axes of the rest pose: x to the body's left, y up, z to the front; lengths in mm. Bodies are bilaterally symmetric: what
-is written for the left side is mirrored. Front and back differ (nose, belly, feet, thumbs), so left is told from right
-as in a real body.
+Axes of the rest pose: x to the body's left, y up, z to the front; lengths in mm. Bodies are bilaterally symmetric: the
+left side is specified and mirrored. Front and back differ (nose, belly, feet, thumbs), so left and right can be told
+apart as in a real body.
 """
 
 import dataclasses
@@ -15,7 +15,7 @@ MIRROR = np.array([-1.0, 1.0, 1.0])
 
 @dataclasses.dataclass
 class Bone:
-    """A rigid part. It turns about its joint, which belongs to its parent."""
+    """A rigid part that rotates about its joint, which belongs to its parent."""
 
     name: str
     parent: int
@@ -23,12 +23,12 @@ class Bone:
     axis: np.ndarray
     """Unit vector along the bone."""
     group: str
-    """Bones of one group, left and right alike, are changed in length and thickness together."""
+    """Bones of one group, left and right alike, get the same factors of length and thickness."""
 
 
 @dataclasses.dataclass
 class Solid:
-    """A tapered capsule from `a` to `b`, or an ellipsoid about `a` where `radii` has three entries."""
+    """A tapered capsule from `a` to `b`, or an ellipsoid about `a` if `radii` has three entries."""
 
     bone: int
     a: np.ndarray
@@ -36,7 +36,7 @@ class Solid:
     radii: np.ndarray
 
     def distances(self, points):
-        """About the signed distance, negative inside."""
+        """Approximate signed distance, negative inside."""
         if len(self.radii) == 3:
             away = points - self.a
             scaled = np.linalg.norm(away / self.radii, axis=1)
@@ -52,12 +52,12 @@ class Body:
     """Bones and the smooth union of the solids around them."""
 
     def __init__(self, blend, weight_blend, spacing):
-        """Over how many mm solids run into each other, and bones share what they move; grid to sample with, mm."""
+        """Distances over which solids merge and over which bones share influence; spacing of the sampling; all in mm."""
         self.blend, self.weight_blend, self.spacing = blend, weight_blend, spacing
         self.bones, self.solids, self.number = [], [], {}
 
     def bone(self, name, parent, joint, axis, group=None):
-        """Adds a bone; one whose name begins with `left_` also on the right."""
+        """Adds a bone; a bone whose name begins with `left_` is also added on the right."""
         joint, axis = np.array(joint, float), np.array(axis, float)
         axis = axis / np.linalg.norm(axis)
         self._bone(name, parent, joint, axis, group or name.removeprefix("left_"))
@@ -75,7 +75,7 @@ class Body:
         self._solid(bone, center, center, radii)
 
     def _solid(self, bone, a, b, radii):
-        """On both sides if the bone has a side or the solid is off the middle."""
+        """Adds a solid, on both sides if the bone has a side or the solid is off the middle."""
         a, b, radii = (np.array(values, float) for values in (a, b, radii))
         self.solids.append(Solid(self.number[bone], a, b, radii))
         if bone.startswith("left_") or a[0] or b[0]:
@@ -85,7 +85,7 @@ class Body:
         return np.stack([solid.distances(points) for solid in self.solids], 1)
 
     def outside(self, points):
-        """Negative inside: the smooth union."""
+        """The smooth union of the solids, negative inside."""
         return -self.blend * logsumexp(-self.distances(points) / self.blend, axis=1)
 
     def normals(self, points):
@@ -95,7 +95,7 @@ class Body:
         return np.stack([self.outside(points + offset) - here for offset in step * np.eye(3)], 1) / step
 
     def weights(self, points):
-        """How much each bone moves each point: smooth, and a function of the position in the rest pose alone."""
+        """The weight of each bone at each point: smooth, and a function of the position in the rest pose only."""
         near = -self.distances(points) / self.weight_blend
         near = np.exp(near - near.max(1, keepdims=True))
         found = np.zeros((len(points), len(self.bones)))
@@ -131,7 +131,7 @@ def right(name):
 
 
 def person(draws):
-    """A person of about 1.7 m with arms and legs apart; every individual has other proportions."""
+    """A person of about 1.7 m with arms and legs apart; proportions vary between individuals."""
     length = lambda mm: mm * draws.uniform(0.9, 1.1)
     thick = draws.uniform(0.9, 1.12)
     radius = lambda mm: mm * thick * draws.uniform(0.93, 1.08)
@@ -196,7 +196,7 @@ def person(draws):
 
 
 def animal(draws):
-    """A four-legged animal, 0.6 m at the withers; every individual has other proportions."""
+    """A four-legged animal, 0.6 m at the withers; proportions vary between individuals."""
     length = lambda mm: mm * draws.uniform(0.88, 1.12)
     thick = draws.uniform(0.9, 1.12)
     radius = lambda mm: mm * thick * draws.uniform(0.93, 1.08)
@@ -263,7 +263,7 @@ def animal(draws):
     return body
 
 
-# For each bone, the ranges of its angles in degrees about x, y and z, for the left side; the right side is mirrored.
+# For each bone, the ranges of its angles about x, y and z, degrees, for the left side; the right side is mirrored.
 PERSON_REST = {
     "left_upper_arm": [(-10, 10), (-15, 10), (-35, -5)],
     "left_forearm": [(0, 0), (-25, -5), (0, 0)],

@@ -1,13 +1,14 @@
-"""The sets `bodies_*`: articulated bodies, sampled twice, whose corresponding points are known.
+"""The sets `bodies_*`: articulated bodies, sampled twice, with known correspondence.
 
 One surface is near the rest pose, the other far from it. `bodies_posed`: a person; `bodies_animals`: a four-legged
 animal; `bodies_build`: two individuals, persons and animals in turn, of which the second has other lengths and
-thicknesses of all parts; `bodies_unlike`: the same with factors as between species. The solids and joints are in `anatomy.py`.
+thicknesses of all parts; `bodies_unlike`: as `bodies_build`, with factors as between species. The solids and joints are
+in `anatomy.py`.
 
-A surface is sampled by marching cubes on a grid of its own around the rest pose, posed by linear blend skinning, and
-reduced to about 5,000 vertices of equal spacing in its pose. Weights depend on the position in the rest pose alone, so
-both surfaces are images of one rest surface: a source vertex corresponds to the point of the target that has the
-closest position in the rest pose.
+A surface is sampled by marching cubes on its own grid around the rest pose, posed by linear blend skinning, and reduced
+to about 5,000 vertices of equal spacing in its pose. Weights depend only on the position in the rest pose, so both
+surfaces are images of one rest surface: a source vertex corresponds to the point of the target with the closest
+position in the rest pose.
 """
 
 import numpy as np
@@ -23,12 +24,12 @@ KINDS = ["bodies_posed", "bodies_animals", "bodies_build", "bodies_unlike"]
 KEPT = True
 N_VERTICES = 5000
 FACTORS = {"bodies_build": (0.75, 1.3), "bodies_unlike": (0.55, 1.8)}
-"""Of the lengths and of the thicknesses of the parts of another individual."""
+"""Ranges of the factors on lengths and thicknesses of the parts of another individual."""
 N_POSES_TRIED = 60
 LEAST_COSINE = 0.2
-"""Between the normals of the surface and of the triangles that sample it."""
+"""Least cosine between the normals of the surface and of its triangles."""
 MOST_HELD = 8
-"""So many times vertices are put back in a round of `relaxed`, as holding one can turn a face of its neighbors."""
+"""Most repetitions of putting vertices back in a round of `relaxed`: holding one can turn a face of its neighbors."""
 SHARPEST_FOLD = -0.6
 """Cosine between the normals of neighboring triangles below which a surface counts as folded."""
 
@@ -47,7 +48,7 @@ def make(cases, kind, index):
     rest = [sampled(body, turns[k], draws.uniform(0, 1, 3)) for k in (0, 1)]
     posed = [posed_surface(body, *rest[k], poses[k], draws, builds[k]) for k in (0, 1)]
     if None in posed:
-        # `first_of_genus_0` goes on to the next index.
+        # `first_of_genus_0` continues with the next index.
         return {"genus0": False}
     (first, faces, vertices), (second, other_faces, others) = posed
     shifts = draws.normal(size=(2, 3)) * 300
@@ -67,7 +68,7 @@ def other_build(body, draws, factors):
 
 
 def sampled(body, turn, offset):
-    """The surface in the rest pose, finely, with vertices on edges of a grid turned by `turn`."""
+    """The surface in the rest pose, finely sampled, with vertices on edges of a grid rotated by `turn`."""
     ends = np.vstack([np.vstack([s.a, s.b]) for s in body.solids])
     reach = max(s.radii.max() for s in body.solids)
     low, high = (ends @ turn).min(0) - reach, (ends @ turn).max(0) + reach
@@ -75,7 +76,7 @@ def sampled(body, turn, offset):
     n_blocks = np.ceil((high - low) / (coarse * step)).astype(int) + 1
     origin = low + (offset - 1) * step
     at = lambda index: (origin + step * index) @ turn.T
-    # The value at the middle of a block tells whether the surface can be in it.
+    # The value at the center of a block shows whether the block can contain the surface.
     middles = np.stack(np.meshgrid(*[np.arange(n) for n in n_blocks], indexing="ij"), -1) * coarse + (coarse - 1) / 2
     values = body.outside(at(middles.reshape(-1, 3))).reshape(n_blocks)
     for axis in range(3):
@@ -92,11 +93,12 @@ def sampled(body, turn, offset):
 
 
 def posed_surface(body, rest, faces, ranges, draws, scales=None):
-    """Positions in the rest pose, faces and posed positions, in the first pose drawn that neither folds nor meets itself.
+    """Positions in the rest pose, faces and posed positions, in the first drawn pose without folds or
+    self-intersection.
 
-    `None` if all fold: parts of some individuals are too thick for their joints.
+    `None` if all poses fold: parts of some individuals are too thick for their joints.
     """
-    # Most poses that will not do show it on vertices that are chosen once, in the rest pose.
+    # Most unusable poses already fold on vertices that are chosen once, in the rest pose.
     left, few = reduced(rest, faces)
     even = relaxed(body, rest[left], few)
     for tried in range(N_POSES_TRIED):
@@ -120,7 +122,7 @@ def is_unnatural(rest, posed, faces):
 
 
 def drawn_pose(body, ranges, draws, share):
-    """A rotation for each bone, its angles drawn from `share` of their ranges, and more often near their ends.
+    """A rotation for each bone, with angles from `share` of their ranges, more often near the ends of these.
 
     The angles of the right side are mirrored.
     """
@@ -141,7 +143,7 @@ def between(low, high, draws):
 def relaxed(body, vertices, faces, n_rounds=6):
     """The vertices moved half of the way to the mean of their neighbors and back onto the surface, a few times.
 
-    A vertex stays where its move would turn a face of it away from the surface.
+    A vertex is held if its move would turn one of its faces away from the surface.
     """
     pairs = geometry.edges(faces)
     ends = np.vstack([pairs, pairs[:, ::-1]])
@@ -159,7 +161,7 @@ def relaxed(body, vertices, faces, n_rounds=6):
 
 
 def onto_surface(body, vertices):
-    """The vertices on the surface, and unit normals there."""
+    """The vertices projected onto the surface, and unit normals there."""
     for _ in range(2):
         normals = body.normals(vertices)
         vertices = vertices - (body.outside(vertices) / (normals**2).sum(1))[:, None] * normals
@@ -171,7 +173,7 @@ def units(vectors):
 
 
 def is_folded(vertices, faces):
-    """Whether two triangles at an edge face nearly opposite ways."""
+    """Whether two triangles at an edge face nearly opposite directions."""
     sides = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     order = np.lexsort(np.sort(sides, 1).T)
     owner = np.tile(np.arange(len(faces)), 3)[order].reshape(-1, 2)
@@ -180,7 +182,8 @@ def is_folded(vertices, faces):
 
 
 def meets_itself(rest, posed, faces):
-    """Whether triangles without a common corner cross, or parts that are far apart in the rest pose come to within an edge."""
+    """Whether triangles without a common corner cross, or parts that are far apart in the rest pose come within an edge
+    of each other."""
     edge = geometry.mean_edge(posed, faces)
     pairs = cKDTree(posed).query_pairs(edge, output_type="ndarray")
     if (np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1) > 10 * edge).any():

@@ -1,4 +1,4 @@
-"""The sets `bent_*`: a straight capsule and its copy that is bent along a circular arc in its middle part.
+"""The sets `bent_*`: a straight capsule and a copy whose middle part is bent along a circular arc.
 
 The capsule lies along x; lengths in mm. Bumps at fixed places break its symmetries. The bend keeps the length of the
 center line and the cross-sections, so the corresponding point of each source vertex is known exactly.
@@ -14,11 +14,12 @@ ANGLES_DEG = [90, 120, 150]
 KINDS = [f"bent_{angle}" for angle in ANGLES_DEG]
 KEPT = True
 HALF_LENGTH, RADIUS = 20.0, 5.0
-"""Of the cylinder; the half-spheres come on top."""
+"""Half length and radius of the cylinder, mm, without the half-spheres at its ends."""
 BENT_LENGTH = 24.0
-"""The arc's radius is 9.2 mm at 150 degrees, so the inner side stays clear of its center."""
+"""Length of the bent part, mm. At 150 degrees the radius of the arc is 9.2 mm, so the inner side does not reach its
+center."""
 BUMPS = [
-    # Place along x, angle about the axis, height, width (standard deviation).
+    # Position along x, angle about the axis, height, width (standard deviation).
     (-17.0, 20.0, 1.5, 2.5),
     (-9.0, 150.0, 1.2, 2.5),
     (3.0, 260.0, 1.3, 3.0),
@@ -32,7 +33,7 @@ def names(cases, kind, n):
 
 
 def outside(points):
-    """Distance to the capsule less the height of the bumps."""
+    """Distance to the capsule minus the height of the bumps."""
     ends = np.clip(points[:, 0], -HALF_LENGTH, HALF_LENGTH)
     away = points - np.stack([ends, np.zeros(len(points)), np.zeros(len(points))], 1)
     field = np.linalg.norm(away, axis=1) - RADIUS
@@ -44,14 +45,14 @@ def outside(points):
 
 
 class Bend:
-    """The x axis becomes a straight line, an arc in the plane of x and y, and a straight line."""
+    """Bends the x axis to a straight line, an arc in the plane of x and y, and a straight line."""
 
     def __init__(self, angle):
         self.half, self.radius = angle / 2, BENT_LENGTH / angle
         self.center = np.array([0.0, self.radius])
 
     def arm(self, side):
-        """Where the arc ends at x > 0 (`side` 1) or x < 0 (-1), and the directions along and across there."""
+        """The end of the arc at x > 0 (`side` 1) or x < 0 (-1), and the directions along and across the axis there."""
         phi = side * self.half
         end = self.center + self.radius * np.array([np.sin(phi), -np.cos(phi)])
         return end, np.array([np.cos(phi), np.sin(phi)]), np.array([-np.sin(phi), np.cos(phi)])
@@ -66,7 +67,7 @@ class Bend:
         return np.column_stack([on_axis + rest[:, None] * along + y[:, None] * across, points[:, 2]])
 
     def sources(self, points):
-        """Up to three points that are bent to each point: on the arc and on the two arms; NaN where there is none."""
+        """Up to three preimages of each point: on the arc and on the two arms; NaN for a missing one."""
         flat, z = points[:, :2], points[:, 2]
         away = flat - self.center
         phi = np.arctan2(away[:, 0], -away[:, 1])

@@ -1,7 +1,7 @@
-"""The pairs that are matched, each named `set/index`.
+"""The pairs of surfaces, each named `set/index`.
 
-Real pairs come from the generator in EVAL, used as it is. The others are made here, from its re-sampled copies and
-from synthetic beans. In all, the source is `V1, F1`, the target `V2, F2`, and `R, t` take the source onto the target.
+Real pairs come from the unmodified generator in EVAL. The others are made here, from its re-sampled copies and from
+synthetic beans. In all, the source is `V1, F1`, the target `V2, F2`, and `R, t` take the source onto the target.
 """
 
 import glob
@@ -30,10 +30,11 @@ FAMILIES = [
     *[scaled, warped, capsules, bodies, people, solids, symmetries, analytic],
     *[structures, coarse, parts, landmarked],
 ]
-"""Modules that make further sets: `KINDS`, `names(cases, kind, n)`, `make(cases, kind, index)`, `KEPT`: on disk or not."""
+"""Modules of further sets: `KINDS`, `names(cases, kind, n)`, `make(cases, kind, index)`, and `KEPT`: whether cases are
+kept on disk."""
 FAMILY = {kind: family for family in FAMILIES for kind in family.KINDS}
 REAL = ["real_warp4", "real_warp8", "real_cross", "real_resample"]
-"""Spoiled copies: what is done to the target. Warps are made with the surface."""
+"""Spoiled copies: the changes to the target. Warps are part of making the surface."""
 SPOILS = ["noise", "cut", "half"]
 ROBUSTNESS = [f"{origin}_{spoil}" for origin in ("resample", "bean") for spoil in SPOILS] + ["bean_warp8"]
 UNLIKE = ["mirrored", "ellipsoid", "anterior_part"]
@@ -75,13 +76,13 @@ class Cases:
             return pickle.load(file)
 
     def first(self, kind, n):
-        """Names of the first `n` cases of a set, fewer where the set is smaller."""
+        """Names of the first `n` cases of a set, fewer if the set is smaller."""
         return FAMILY[kind].names(self, kind, n) if kind in FAMILY else self.first_of_genus_0(kind, n)
 
     def first_of_genus_0(self, kind, n, is_wanted=lambda index: True):
         """Names of the first `n` wanted cases whose surfaces are of genus 0: the pairs of earlier records.
 
-        Real volumes have tunnels, so indices are skipped; all sets that begin with one subject skip the same.
+        Real volumes have tunnels, so indices are skipped, the same ones in all sets that begin with one subject.
         """
         names, index = [], 0
         while len(names) < n and index < 20 * n:
@@ -145,7 +146,8 @@ def spoiled(case, how, index):
 
 
 def bean(seed):
-    """A bent, twisted, tapering tube: the function that says how far outside a point is, mm, and its spine."""
+    """A bent, twisted, tapering tube: a function for the distance of a point from it, mm, positive outside, and its
+    spine."""
     draws = np.random.default_rng(4000 + seed)
     s = np.linspace(0, 1, 60)
     length, bend, twist = draws.uniform(30, 38), draws.uniform(5, 9), draws.uniform(1, 3)
@@ -170,7 +172,7 @@ def grid(half_width):
 
 
 def bean_case(real, index, warp_share):
-    """A bean and its copy in an arbitrary pose, each sampled by 1 mm voxels of its own; warped on request."""
+    """A bean and its copy in an arbitrary pose, each sampled on its own grid of 1 mm voxels; warped on request."""
     outside, spine = bean(index)
     points, side = grid(34)
     source = (outside(points) < 0).reshape((side,) * 3)

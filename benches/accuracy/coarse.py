@@ -1,4 +1,5 @@
-"""The sets `noise1000*`: about 1,000 vertices, the target with noise. Is a wrong pose called unreliable?
+"""The sets `noise1000*`: about 1,000 vertices and noise on the target. They test whether wrong poses are reported
+unreliable.
 
 `noise1000` are copies of different hippocampi, `noise1000_bean` one synthetic bean in many poses with as many draws of
 the noise. A pose is wrong if its rotation is off by more than 5 degrees.

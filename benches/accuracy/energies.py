@@ -1,10 +1,11 @@
-"""The energy of the truth against what minimizers find, on the sets with known truth: `run --energies`.
+"""Energy of the truth and of the labelings of all minimizers, on the sets with known truth: `run --energies`.
 
 Writes the pairs as files, runs the laboratory's program `energies` on them, and prints for every set, energy and
-minimizer how far the energies lie apart and how far the labels are from the truth; last, Spearman's rank correlation between
-energy and error over the minimizers, of which none knows the truth, and all cases: of the mean energy of a variable and the error as they
-are; of the energy over the lowest that any minimizer finds for the case; and of both relative to those of the truth after conditional modes,
-as cases differ in how well labels can stand for the truth at all.
+minimizer the difference of the energies and the error of the labels. Last, it prints Spearman's rank correlation
+between energy and error over all cases and all minimizers that do not start at the truth, in three forms: the mean
+energy of a variable against the error; the energy over the lowest of the case against the error over that of the
+relaxed truth (conditional modes from the truth); and both over those of the relaxed truth, because the labels nearest
+to the truth are not equally good in all cases.
 """
 
 import csv
@@ -18,7 +19,8 @@ from geometry import write_ply
 
 FROM_TRUTH = "conditional modes from the truth"
 STARTS = " from form ", " from extremities "
-"""In the names of minimizations that begin at one of several forms or assignments; `propagation (form)` is the lowest of these."""
+"""Parts of the names of minimizations from one of several forms or assignments; `propagation (form)` is the lowest of
+these."""
 SETS = "real_resample,real_warp4,real_warp8,bodies,bent"
 
 

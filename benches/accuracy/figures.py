@@ -42,7 +42,7 @@ def saved(figure, path):
 
 
 def within_one_edge(found, path):
-    """Every pair a dot, the mean a bar."""
+    """Every pair is a dot, the mean a bar."""
     figure, panels = plt.subplots(1, 2, figsize=(11, 4), sharex=True)
     methods = [*(m for m in reversed(PEERS) if PEERS[m].dense), *reversed(OURS)]
     methods = [m for m in methods if any((m, k) in found["summaries"] for k in TO_REACH)]
@@ -67,7 +67,7 @@ def within_one_edge(found, path):
 
 
 def robustness(found, path):
-    """Shares within 10 degrees as a grid of methods and conditions."""
+    """Shares within 10 degrees, in a grid of methods and conditions."""
     kinds = ["real_resample", "real_cross", "real_warp8", *ROBUSTNESS]
     methods = [m for m in [*ROBUST_OURS, *ROBUST_PEERS] if any((m, k) in found["summaries"] for k in kinds)]
     shares = np.full((len(methods), len(kinds)), np.nan)
@@ -90,7 +90,7 @@ def robustness(found, path):
 
 
 def width(found, path):
-    """Share within one edge over the width of a warp's kernels, and the mean confidence beside it."""
+    """Share within one edge against the width of a warp's kernels, and the mean confidence."""
     figure, panel = plt.subplots(figsize=(7, 4))
     lines = [(DEFAULT, "point_w1", "-", "homolog, points"), (DEFAULT, "w1", ":", "homolog, vertices")]
     lines += [(DEFAULT, "mean_confidence", "--", "homolog, mean confidence")]
@@ -118,7 +118,7 @@ def width(found, path):
 
 
 def reliability(found, path):
-    """Reliability diagrams, below them how many vertices each bin has."""
+    """Reliability diagrams; below them the number of vertices in each bin."""
     methods = [m for m in [DEFAULT, *OURS] if m in found["calibration"]]
     methods = list(dict.fromkeys(methods))
     figure, panels = plt.subplots(

@@ -1,4 +1,4 @@
-"""Triangle surfaces as (n, 3) positions in mm and (m, 3) indices: what the cases and the figures need of them."""
+"""Triangle surfaces as (n, 3) positions in mm and (m, 3) indices: functions for the cases and the figures."""
 
 import heapq
 
@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 
 def write_ply(path, vertices, faces):
-    """Binary PLY with doubles, which keeps every bit of the positions."""
+    """Binary PLY with doubles, which stores positions without loss."""
     header = (
         "ply\nformat binary_little_endian 1.0\n"
         f"element vertex {len(vertices)}\nproperty double x\nproperty double y\nproperty double z\n"
@@ -62,7 +62,8 @@ def diagonal(vertices):
 
 
 def cut_end(vertices, faces, share, at_far_end):
-    """The largest piece of the surface without the `share` of its area that is farthest along the first principal axis."""
+    """The largest piece of the surface after removal of the `share` of its area that is farthest along the first
+    principal axis."""
     areas = vertex_areas(vertices, faces)
     center = np.average(vertices, axis=0, weights=areas)
     axis = np.linalg.svd((vertices - center) * np.sqrt(areas)[:, None], full_matrices=False)[2][0]
@@ -75,16 +76,17 @@ def cut_end(vertices, faces, share, at_far_end):
 
 
 def decimated(vertices, faces, goal):
-    """The surface with `goal` vertices, by collapsing the shortest edge to one of its ends again and again; the genus stays."""
+    """The surface with `goal` vertices, by repeated collapse of the shortest edge to one of its ends; the genus is
+    kept."""
     left, new = decimation(vertices, faces, goal)
     return vertices[left], new
 
 
 def decimation(vertices, faces, goal, least_cosine=None):
-    """Which vertices `decimated` keeps, and the faces between them.
+    """The vertices that `decimated` keeps, and the faces between them.
 
-    A collapse is allowed where the two ends have exactly two neighbors in common (the link condition) and, on request,
-    where no face gets a normal whose cosine with the surface's normal at one of its corners is below `least_cosine`.
+    A collapse is allowed if the two ends have exactly two neighbors in common (the link condition) and, on request, if
+    the cosine between the new normal of every face and the surface's normals at its corners is at least `least_cosine`.
     """
     around = [set() for _ in vertices]
     star = [set() for _ in vertices]
@@ -128,7 +130,7 @@ def decimation(vertices, faces, goal, least_cosine=None):
 
 
 def turns_a_face(vertices, normals, corners, star, stays, goes, least_cosine):
-    """Whether a face that is left when `goes` becomes `stays` has a normal at too wide an angle from its corners'."""
+    """Whether the collapse of `goes` to `stays` turns a remaining face too far from the normals at its corners."""
     for k in star:
         if stays in corners[k]:
             continue
@@ -143,7 +145,7 @@ def turns_a_face(vertices, normals, corners, star, stays, goes, least_cosine):
 
 
 LENGTHS = ["V1", "V2", "t", "gtpos", "edge", "diag"]
-"""Entries of a case that are multiplied by a factor when both surfaces are."""
+"""Entries of a case that scale with both surfaces."""
 
 
 def finished(case):
@@ -155,14 +157,14 @@ def finished(case):
 
 
 def swapped(case):
-    """The same pair with the roles exchanged; of the truth only the transform is left."""
+    """The same pair with the roles exchanged; only the transform of the truth is kept."""
     turn, shift = case["R"].T, -case["R"].T @ case["t"]
     new = dict(V1=case["V2"], F1=case["F2"], V2=case["V1"], F2=case["F1"], R=turn, t=shift, genus0=case["genus0"])
     return finished(new)
 
 
 def without_missing_positions(vertices, faces):
-    """Without the vertices whose position is not a number, and without their faces."""
+    """The surface without the vertices whose position is not a number, and without their faces."""
     there = np.isfinite(vertices).all(1)
     if there.all():
         return vertices, faces
@@ -192,12 +194,13 @@ def closest_on_triangles(points, corners):
 
 
 def squared_distance(weights, corners, points):
-    """Squared distance between points and the points of triangles that the weights name."""
+    """Squared distances between points and the points of triangles at the given weights."""
     return (((weights[..., None] * corners).sum(-2) - points) ** 2).sum(-1)
 
 
 def closest_points(points, vertices, faces, n_tried=32):
-    """The triangle closest to each point, of those with the nearest centers, and the barycentric coordinates in it."""
+    """For each point the closest triangle, among those with the nearest centers, and the barycentric coordinates in
+    it."""
     corners = vertices[faces]
     tried = cKDTree(corners.mean(1)).query(points, n_tried)[1]
     weights, off = closest_on_triangles(points[:, None], corners[tried])
@@ -213,7 +216,7 @@ def volume(vertices, faces):
 
 
 def welded(vertices, faces):
-    """Vertices of equal position become one; faces that lose a corner by it are left out."""
+    """Merges vertices of equal position; faces that lose a corner are removed."""
     vertices, index = np.unique(vertices, axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces].astype(np.int32)
     distinct = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
@@ -221,14 +224,14 @@ def welded(vertices, faces):
 
 
 def largest_piece(vertices, faces):
-    """The connected piece with most faces, without the vertices that it does not use."""
+    """The connected piece with most faces, without unused vertices."""
     faces = largest_piece_faces(faces)
     left = np.unique(faces)
     return vertices[left], np.searchsorted(left, faces).astype(np.int32)
 
 
 def largest_piece_faces(faces):
-    """The faces of that piece."""
+    """The faces of the connected piece with most faces."""
     pairs = edges(faces)
     graph = coo_matrix((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), (faces.max() + 1,) * 2)
     piece = connected_components(graph, directed=False)[1]

@@ -1,4 +1,4 @@
-"""Surfaces of shapes that are given by a function: negative inside, zero on the surface."""
+"""Surfaces of shapes given by a function: negative inside, zero on the surface."""
 
 import numpy as np
 from skimage.measure import marching_cubes

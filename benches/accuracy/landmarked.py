@@ -1,6 +1,6 @@
-"""The sets `landmarked_*`: structures other than hippocampi, with landmarks that people placed.
+"""The sets `landmarked_*`: structures other than hippocampi, with manual landmarks.
 
-The pairs come from `landmarked_cases.py` in EVAL, used as it is. A landmark of the source is carried by the nearest
+The pairs come from the unmodified `landmarked_cases.py` in EVAL. A landmark of the source is moved with the nearest
 source vertex; its error is the distance between the corresponding point and the landmark of the target, in percent of
 the square root of the target's area.
 """
@@ -13,7 +13,7 @@ import numpy as np
 import geometry
 
 COUNTS = {"femur": 10, "molar": 12, "molar_equal_size": 12, "vertebra": 5, "mouse_skull": 5}
-"""Sets, and the most pairs of each that are run. `molar_equal_size`: the source is scaled to the target's area."""
+"""Sets, and the most pairs of each. `molar_equal_size`: the source is scaled to the target's area."""
 KINDS = [f"landmarked_{name}" for name in COUNTS]
 KEPT = False
 
@@ -36,7 +36,7 @@ def names(cases, kind, n):
 
 
 def count(cases, structure):
-    """How many pairs of a structure there are; none where the data or their generator are missing."""
+    """Number of pairs of a structure; zero if the data or their generator are missing."""
     if not os.path.isdir(os.path.join(folder(cases), structure)) or not importlib.util.find_spec("landmarked_cases"):
         return 0
     return len(generator().load_pairs(structure, folder(cases)))
@@ -61,7 +61,7 @@ def is_one(case):
 
 
 def of_case(case):
-    """What the best rigid transform of the landmarks themselves, and the nearest vertices alone, would leave."""
+    """Error of the best rigid transform of the landmarks, and error that comes from nearest vertices alone."""
     return {
         "landmark_rigid_pct": generator().rigid(case)["mean_pct"],
         "landmark_floor_pct": generator().floor(case)["mean_pct"],
@@ -74,7 +74,7 @@ def of_answer(case, answer):
         if "map" not in answer:
             return {}
         images = case["V2"][np.maximum(answer["map"], 0)]
-    # A vertex without a corresponding point counts as one that is sent to the middle of the target.
+    # A vertex without a corresponding point counts as one whose image is the center of the target.
     lost = ~np.isfinite(images).all(1)
     if "map" in answer:
         lost |= answer["map"] < 0

@@ -2,7 +2,7 @@
 
     python -I -S measured.py LIMIT_S REPORT STDOUT STDERR COMMAND...
 
-A program of its own, because what a process starts inherits its peak memory: this one is small. Standard library only.
+A separate program because a process inherits the peak memory of its parent: this one is small. Standard library only.
 """
 
 import json

@@ -1,10 +1,10 @@
-"""Whether the pose of a bean with an 8 % warp can be known at all: what an observer would find who knew how the warps were made.
+"""Whether the pose of a bean with an 8 % warp can be determined by an observer who knows the distribution of the warps.
 
-A bean is a bent tube with round sections. The observer's prior is that of the warps: a Gaussian process with their variance and the
-autocorrelation of their mean width. Its data are the heights of the source over the planes of the target's vertices, which is what
-a surface shows. From the true deformation, and from the true pose after rotations about the long axis, the most
-probable deformation is found by Gauss-Newton steps. If wrong poses end with energies as low as the true one, no energy can tell them
-apart.
+A bean is a bent tube with round sections. The observer's prior is a Gaussian process with the variance of the warps and
+the autocorrelation of their mean width. The data are the heights of the source over the planes of the target's
+vertices, as a surface shows nothing else. Gauss-Newton steps find the most probable deformation from the true one, and
+from the true pose after rotations about the long axis. If wrong poses end with energies as low as the true pose, no
+energy can distinguish them.
 
 Usage: nearly_round.py --data DATA --eval EVAL [--cases 10]; DATA and EVAL as for the accuracy table.
 """
@@ -23,9 +23,9 @@ KIND = "bean_warp8"
 WARP = 0.08
 """Root mean square displacement of the warps, in diagonals."""
 WIDTH = 0.24 * np.sqrt(2)
-"""Of the autocorrelation of bumps that are 0.18 to 0.3 diagonals wide."""
+"""Width of the autocorrelation, in diagonals, of bumps that are 0.18 to 0.3 diagonals wide."""
 NOISE = 0.16
-"""Standard deviation of a height, in edges: that which the fits leave."""
+"""Standard deviation of a height, in edges: the residual of the fits."""
 N_POINTS, N_INDUCING, N_STEPS = 700, 120, 25
 ANGLES = range(-180, 180, 15)
 
@@ -48,17 +48,18 @@ class Observer:
         self.nearest = cKDTree(self.target)
 
     def heights(self, moved):
-        """Of the target's planes over the points, their normals, and Cauchy's weight of each, as far points have no plane."""
+        """Heights of points over the target's planes, the normals of the planes, and Cauchy's weights, as far points
+        have no plane."""
         distance, at = self.nearest.query(moved)
         normals = self.normals[at]
         return ((self.target[at] - moved) * normals).sum(1), normals, 1 / (1 + (distance / (3 * self.edge)) ** 2)
 
     def fit(self, turn, shift, moved=None):
-        """The energy of the most probable deformation near a start, and where it moves the points."""
+        """The energy of the most probable deformation near a start, and the points that it moves."""
         base = self.points @ turn.T + shift
         moved = base if moved is None else moved
         n_functions = self.functions.shape[1]
-        # Rotation and translation are free.
+        # Rotation and translation have no prior.
         precisions = np.r_[np.ones(3 * n_functions), np.full(6, 1e-8)]
         for _ in range(N_STEPS):
             heights, normals, weights = self.heights(moved)
@@ -82,7 +83,7 @@ class Observer:
 
 
 def farthest(points, n):
-    """Indices of `n` points, each the farthest from those before it."""
+    """Indices of `n` points in farthest-point order."""
     found, squared = [0], ((points - points[0]) ** 2).sum(1)
     while len(found) < n:
         found.append(int(squared.argmax()))

@@ -1,4 +1,4 @@
-"""The program under test: `homolog match` on two PLY files, and what its result document says."""
+"""The program under test: runs `homolog match` on two PLY files and reads the result document."""
 
 import hashlib
 import json
@@ -15,7 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 class Homolog:
-    """One built program; answers are kept by the hash of its bytes, so that a new build is measured anew."""
+    """One built program; answers are kept by the hash of its bytes, so a new build is measured anew."""
 
     def __init__(self, path, limit_s):
         self.path, self.limit_s = os.path.abspath(path), limit_s
@@ -33,14 +33,14 @@ class Homolog:
             command = [self.path, "match", at("source.ply"), at("target.ply"), "--json", *sets]
             launcher = [sys.executable, "-I", "-S", os.path.join(HERE, "measured.py"), str(self.limit_s)]
             files = [at("report.json"), at("stdout"), at("stderr")]
-            # Affinity is inherited, and the program starts as many threads as it may use cores.
+            # Affinity is inherited, and the program starts one thread for each core that it may use.
             subprocess.run(launcher + files + command, check=True, preexec_fn=lambda: os.sched_setaffinity(0, cores))
             with open(at("report.json")) as file:
                 report = json.load(file)
             if report["exit_code"]:
                 with open(at("stderr"), errors="replace") as file:
                     message = file.read()[-300:].strip().replace(folder + os.sep, "")
-                # Exit code 2 is a refusal: a wrong parameter, or a surface that cannot be matched.
+                # Exit code 2: a wrong parameter, or a surface that cannot be matched.
                 status = "out of time" if report["out_of_time"] else "refused" if report["exit_code"] == 2 else "failed"
                 return {**report, "status": status, "message": message}, {}
             with open(at("stdout")) as file:
@@ -57,7 +57,7 @@ def columns(document):
 
 
 def arrays(document, case):
-    """Transform, target vertex, confidence and, where the document has them, sub-vertex points and their spreads."""
+    """Transform, target vertex, confidence and, if the document has them, sub-vertex points and their spreads."""
     found = {"matrix": np.array(document["transform"]["matrix"], float).reshape(4, 4)}
     table = columns(document)
     if not table.get("target"):
@@ -65,7 +65,7 @@ def arrays(document, case):
     n = len(case["V1"])
     source = np.array(table.get("source", range(n)))
     placed = lambda values, empty: scattered(source, np.array(values), n, empty)
-    # A vertex that the answer calls unmatched stays unmatched (-1) and counts as wrong.
+    # A vertex without a match in the answer keeps -1 and counts as wrong.
     found["map"] = placed([-1 if j is None else j for j in table["target"]], -1)
     if "confidence" in table:
         found["confidence"] = placed([0.0 if c is None else c for c in table["confidence"]], 0.0)
@@ -84,7 +84,7 @@ def scattered(index, values, n, empty):
 
 
 def sub_vertex_points(table, case):
-    """Points on the target, from coordinates or from a triangle's corners with barycentric coordinates."""
+    """Points on the target, from coordinates or from the barycentric coordinates in a triangle."""
     for name in ("point", "point_mm", "image", "image_mm"):
         if table.get(name) and not isinstance(table[name], dict):
             return np.array(table[name], float)
@@ -99,7 +99,7 @@ def sub_vertex_points(table, case):
 
 
 def summary(document):
-    """What the document says of itself, in numbers."""
+    """The numbers of the document about its own answer."""
     table = columns(document)
     said = {
         "own_seconds": document["timings_ms"]["total"] / 1000,

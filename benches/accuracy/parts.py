@@ -1,8 +1,8 @@
-"""The sets `part_*` and `end_*`: one half, or one end of 30 %, of a hippocampus, which is open where it was cut, and the whole of a re-sampled
-copy or of another subject; and `to_*`: the whole and such an end.
+"""The sets `part_*` and `end_*`: one half, or one end of 30 %, of a hippocampus, open at the cut, and the whole of a
+re-sampled copy or of another subject; and `to_*`: the whole and such an end.
 
-The two ends take turns. Of another subject the true pose is the generator's estimate: the two whole surfaces aligned by trimmed ICP from their
-poses in the scanner.
+The two ends take turns. For another subject the true pose is the generator's estimate: the two whole surfaces aligned
+by trimmed ICP from their poses in the scanner.
 """
 
 from scipy.spatial import cKDTree

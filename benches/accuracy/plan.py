@@ -1,4 +1,4 @@
-"""What is run: which method on which case, in the order in which it is most useful to have it."""
+"""The plan of a run: methods and cases, the most useful first."""
 
 import json
 import os
@@ -17,10 +17,11 @@ from solids import KINDS as SYMMETRIC
 from peers import PEERS
 
 OURS = {"balanced": 2, "rigid": 1}
-"""Our methods and the cores that each is given."""
+"""Our methods and their numbers of cores."""
 DEFAULT = "balanced"
 MANY = {"real_cross": 3, "real_resample": 3, **{kind: 10 for kind in NOISY}}
-"""Sets of so many times as many pairs: a pose that is lost in one of thirty must be seen, and labels vary most."""
+"""Factors on the number of pairs of these sets, to detect a wrong pose in one of thirty, and because labels vary
+most."""
 ROBUST_OURS = [DEFAULT, "rigid"]
 ROBUST_PEERS = ["icp", "lattice", "fgr", "ransac", "kiss"]
 SWAPPED = ["real_warp4", "real_warp8", "real_cross"]
@@ -31,7 +32,7 @@ DENSE = ["real_narrow2", "narrow4", *warped.WIDTH_KINDS, *capsules.KINDS, *bodie
 """Sets, beside the real ones, on which dense peers run."""
 HALF = [*warped.WIDTH_KINDS, *SYMMETRIC]
 COUNTS = {**{kind: 6 for kind in symmetries.KINDS}, **{kind: 8 for kind in analytic.KINDS}}
-"""The most pairs of these sets: their indices take turns in samplings, or in widths and shapes."""
+"""Most pairs of these sets, whose indices take turns in samplings, or in widths and shapes."""
 ABLATION = {
     "real": ["real_warp4", "real_warp8", "real_cross"],
     "road": [
@@ -44,13 +45,13 @@ ABLATION = {
 
 
 def read_variants():
-    """Groups of named sets of parameters over the default method, each with a part switched off."""
+    """Groups of named variants: parameters of the default method with a part switched off."""
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "variants.json")) as file:
         return json.load(file)
 
 
 def variant(name):
-    """The parameters of one of them."""
+    """The parameters of one variant."""
     return next(variants[name] for variants in read_variants().values() if name in variants)
 
 
@@ -71,14 +72,14 @@ def cores_of(method):
 
 
 def ablated(n, kind):
-    """How many pairs of a set the ablation has: twice as many parts, as intervals have to be told apart."""
+    """Number of pairs of a set in the ablation: twice as many parts, for narrower intervals."""
     if kind in ABLATION["real"]:
         return max(n // 2, 1) * MANY.get(kind, 1)
     return 2 * n if kind in parts.KINDS else count_of(kind, n)
 
 
 def count_of(kind, n):
-    """How many pairs of a set beside the real ones our default method has."""
+    """Number of pairs of a set other than the real ones, for the default method."""
     if kind in COUNTS:
         return min(COUNTS[kind], n)
     return max(n // 2, 1) if kind in HALF else n * MANY.get(kind, 1)

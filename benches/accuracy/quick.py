@@ -1,4 +1,5 @@
-"""The quick mode: chosen sets, the default method, one line for each set as soon as it is there. Writes no report."""
+"""The quick mode: chosen sets, the default method, one line for each set as soon as it is complete. Writes no
+report."""
 
 import re
 
@@ -75,7 +76,7 @@ def run(runner, cases, chosen, n, methods=(DEFAULT,)):
 
 
 def returned(runner, cases, method, name):
-    """The share of vertices that come back within one edge, for a pair of a set `swapped_*`."""
+    """Share of vertices that return to within one edge, for a pair of a set `swapped_*`."""
     if not name.startswith("swapped_"):
         return None
     forward = name.removeprefix("swapped_")
@@ -125,13 +126,13 @@ def line(label, width, records, back):
 
 
 def told(said):
-    """The reasons of answers that call themselves unreliable, and how often each is given."""
+    """The reasons of unreliable answers, and how often each is given."""
     given = [name for verdict in said for name in verdict.get("reasons", [])]
     return [f"{name} {given.count(name)}" for name in sorted(set(given))]
 
 
 def failures(records):
-    """Pairs without an answer by the reason given, numbers aside; each with the first message of its kind."""
+    """Pairs without an answer, grouped by reason without its numbers, each group with its first message."""
     said = {}
     for record in records:
         if record["status"] != "answered":

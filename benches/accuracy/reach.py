@@ -1,4 +1,4 @@
-"""The figures to reach, from `reach.json`: a table for each column, with sets or patterns of sets as keys."""
+"""Figures to reach, from `reach.json`: a table for each column, with sets or patterns of sets as keys."""
 
 import fnmatch
 import json
@@ -9,5 +9,5 @@ with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "reach.json")
 
 
 def to_reach(column, kind):
-    """The text for a set, of the first pattern that fits; nothing where no figure is asked for."""
+    """The text of the first pattern that fits the set; empty if there is no figure to reach."""
     return next((text for pattern, text in TABLES[column].items() if fnmatch.fnmatch(kind, pattern)), "")

@@ -1,4 +1,4 @@
-"""From figures to tables: Markdown for readers, CSV with every figure and its spread, JSON with where it comes from."""
+"""From figures to tables: Markdown for readers, CSV with every figure and its spread, JSON with provenance."""
 
 import csv
 import json
@@ -38,7 +38,7 @@ def write(found, out):
 
 
 def rounded(value):
-    """All numbers of a document to six digits, which is more than any of them is known to."""
+    """A document with all numbers rounded to six digits, more than their precision."""
     if isinstance(value, dict):
         return {key: rounded(inner) for key, inner in value.items()}
     if isinstance(value, (list, tuple)):
@@ -332,7 +332,7 @@ def unlike_section(found):
 
 
 def told_of(values, name=""):
-    """A field of several results in short: words with how often they stand there, numbers by their median."""
+    """A summary of one entry over several results: words with their counts, numbers by their median."""
     values = [v for v in values if v is not None]
     if values and isinstance(values[0], dict):
         return [text for key in values[0] for text in told_of([v.get(key) for v in values], f"{key} ")]
@@ -348,7 +348,7 @@ FIGURE_OF = {
     **{kind: "err_diag_pct" for kind in bodies.KINDS},
     **{kind: "within_10_deg" for kind in parts.KINDS},
 }
-"""What the ablation shows of a set; the share of vertices within one edge of the others."""
+"""The figure of a set in the ablation; of other sets the share of vertices within one edge."""
 FIGURE_TITLES = {
     "w1": "within one edge",
     "label": "label agreement",
@@ -369,7 +369,7 @@ def ablation_section(found):
 
 
 def road_table(found, group, variants):
-    """What each part of the road decides on each set: error, how far confidence is from the truth, verdict, time."""
+    """The effect of each part of the route on each set: error, calibration error, verdicts, time."""
     rows = []
     for kind in ABLATION[group]:
         figure = FIGURE_OF.get(kind, "w1")
@@ -409,7 +409,7 @@ def ablation_table(found, group, variants):
     kinds = ABLATION[group]
     figures = [FIGURE_OF.get(kind, "w1") for kind in kinds]
     rows = []
-    # Where the ablation has more pairs than the sections above, the default is one of its variants.
+    # If the ablation has more pairs than the sections above, the default is one of its variants.
     of_default = {} if {} in variants.values() else {DEFAULT: {}}
     for name, parameters in {**of_default, **variants}.items():
         method = name if name == DEFAULT else f"variant: {name}"

@@ -1,4 +1,4 @@
-"""Sections of the report on the sets beside the real pairs: units, deformations, landmarks, verdicts, confidence."""
+"""Sections of the report on the sets other than real pairs: units, deformations, landmarks, verdicts, confidence."""
 
 import numpy as np
 
@@ -28,7 +28,7 @@ def scale_section(found):
         for origin in scaled.ORIGINS:
             chosen = [r for r in records if f"/{origin}-" in r["case"]]
             answered = [r["scores"] for r in chosen if r["status"] == "answered"]
-            # A pair without an answer has no vertex within one edge.
+            # For a pair without an answer the share of vertices within one edge is 0.
             share = sum(a["point_w1"] for a in answered) / len(chosen)
             shares.append((kind, origin, share))
             cells += [f"{share:.3f}", f"{max(a['rot_deg'] for a in answered):.2f}" if answered else ""]

@@ -49,7 +49,8 @@ def is_right_and_reliable(record):
 
 
 def counted(found, kind, sampling, is_good):
-    """How many of the pairs of a set that are sampled so have a good verdict; a pair without an answer has none."""
+    """Number of pairs of a set with this sampling and a good verdict; a pair without an answer counts as having
+    none."""
     is_so = lambda record: symmetries.sampling_of(int(record["case"].split("/")[1])) == sampling
     n = sum(r["method"] == DEFAULT and verdicts.kind_of(r) == kind and is_so(r) for r in found["records"])
     return f"{sum(map(is_good, filter(is_so, answers(found, kind))))} of {n}" if n else ""

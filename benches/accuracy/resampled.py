@@ -1,4 +1,4 @@
-"""Independent samplings of surfaces that are images of a sphere or of a torus: blue noise, all vertices exactly on the surface."""
+"""Independent samplings of images of a sphere or of a torus: blue noise, all vertices exactly on the surface."""
 
 import numpy as np
 from scipy.spatial import ConvexHull, Delaunay, cKDTree
@@ -7,9 +7,9 @@ from scipy.spatial.transform import Rotation
 import geometry
 
 CANDIDATES = 12
-"""Points that are drawn for each vertex that is kept."""
+"""Points drawn for each vertex that is kept."""
 LLOYD_STEPS = 3
-"""Few enough that triangles stay irregular."""
+"""Steps of Lloyd's algorithm, few enough that triangles stay irregular."""
 MOST_PASSES = 100
 
 
@@ -19,7 +19,7 @@ class Sphere:
     euler = 2
 
     def grid(self, n, draws):
-        """About `n` parameters, evenly spread at a random rotation, and the triangles between them."""
+        """About `n` parameters, evenly spread with a random rotation, and the triangles between them."""
         k = np.arange(n) + 0.5
         z, angle = 1 - 2 * k / n, np.pi * (1 + 5**0.5) * k
         across = np.sqrt(1 - z**2)
@@ -40,7 +40,7 @@ class Sphere:
 
 
 class Torus:
-    """Parameters are two angles, around the hole and around the tube; `ratio` is that of the two radii."""
+    """Parameters are two angles, around the hole and around the tube; `ratio` is the ratio of the two radii."""
 
     euler = 0
 
@@ -55,12 +55,12 @@ class Torus:
         return params, self.triangles(params + draws.normal(0, 1e-4, params.shape))
 
     def between(self, corners, weights):
-        # Corners on the two sides of the cut are brought to one side of it.
+        # Moves corners on the two sides of the cut to one side.
         near = corners[:, :1] + (corners - corners[:, :1] + np.pi) % (2 * np.pi) - np.pi
         return np.einsum("nk,nkd->nd", weights, near) % (2 * np.pi)
 
     def triangles(self, params):
-        """Of nine copies of the plane the triangles whose center is in the middle one."""
+        """Of nine copies of the plane, the triangles whose center is in the central one."""
         n = len(params)
         tiles = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]) * 2 * np.pi
         flat = (params % (2 * np.pi) + tiles[:, None]).reshape(-1, 2) * [self.ratio, 1]
@@ -74,10 +74,11 @@ class Torus:
 
 
 def sampled(domain, place, n, draws):
-    """`n` vertices and the triangles of a surface, `place` of parameters of a `domain`, with the parameters of the vertices.
+    """`n` vertices and the triangles of a surface, with the parameters of the vertices; `place` maps parameters of
+    `domain` to the surface.
 
-    Points are drawn with equal probability for equal areas and thinned by Lloyd's algorithm; triangles are those of the
-    parameters after flips of edges to the Delaunay triangulation of the surface.
+    Points are drawn with equal probability for equal areas and thinned by Lloyd's algorithm. Triangles are those of the
+    parameters after edge flips to the Delaunay triangulation of the surface.
     """
     params, faces = domain.grid(max(n, 4000), draws)
     vertices = place(params)
@@ -105,11 +106,11 @@ def thinned(points, n, draws):
 
 
 def flipped(vertices, faces):
-    """The triangles after flips of edges whose opposite angles sum up to more than 180 degrees."""
+    """The triangles after flips of edges whose opposite angles sum to more than 180 degrees."""
     faces = faces.copy()
     n = len(vertices)
     for _ in range(MOST_PASSES):
-        # Half-edges a -> b of every face, with the corner opposite; the two of an edge end up side by side.
+        # Half-edges a -> b of every face, with the opposite corner; sorting brings the two of an edge side by side.
         a, b, c = (np.roll(faces, -k, axis=1).ravel() for k in range(3))
         order = np.argsort(np.minimum(a, b).astype(np.int64) * n + np.maximum(a, b), kind="stable")
         one, two = order[::2], order[1::2]
@@ -124,7 +125,7 @@ def flipped(vertices, faces):
         bad = np.flatnonzero(bad)
         if not len(bad):
             break
-        # At most one flip in a face and one for a new edge: the worst ones.
+        # At most one flip per face and per new edge, the worst edges first.
         bad = bad[np.argsort(-sums[bad], kind="stable")]
         bad = bad[np.sort(np.unique(wanted[bad], return_index=True)[1])]
         rank = np.arange(len(bad))
@@ -149,7 +150,7 @@ def normals(vertices, a, b, c):
 
 
 def is_closed(vertices, faces, euler):
-    """Whether every edge has two faces, in opposite directions, and the Euler characteristic is that."""
+    """Whether every edge has two faces with opposite directions, and the Euler characteristic is `euler`."""
     half = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     if len(np.unique(half, axis=0)) != len(half) or len(np.unique(faces)) != len(vertices):
         return False

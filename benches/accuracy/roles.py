@@ -1,6 +1,7 @@
-"""What a set is for, from `roles.json`: numbers of the program may be fitted on sets of `fit`, never on those of `report`.
+"""The role of each set, from `roles.json`: numbers of the program may be fitted on sets of `fit`, never on those of
+`report`.
 
-The file has patterns of sets for each role; the first role with a pattern that fits counts.
+The file has patterns of sets for each role; the first role with a matching pattern counts.
 """
 
 import fnmatch
@@ -12,7 +13,7 @@ with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "roles.json")
 
 
 def role_of(kind):
-    """`fit` or `report`. A set that no pattern names is an error: whoever adds one says what it is for."""
+    """`fit` or `report`. A set without a pattern is an error: a new set needs a role."""
     for role, patterns in ROLES.items():
         if any(fnmatch.fnmatch(kind, pattern) for pattern in patterns):
             return role

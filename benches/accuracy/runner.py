@@ -1,4 +1,4 @@
-"""Carries the plan out: answers are kept, so a run goes on where it was stopped."""
+"""Executes the plan. Answers are kept, so an interrupted run continues."""
 
 import functools
 import hashlib
@@ -22,7 +22,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 class Answers:
-    """One JSON line for each answer in `results.jsonl`, its arrays beside it; a later line replaces an earlier one."""
+    """One JSON line for each answer in `results.jsonl`, its arrays in files of their own; a later line replaces an
+    earlier one."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -32,7 +33,7 @@ class Answers:
         if os.path.exists(self.path):
             with open(self.path) as file:
                 for line in file:
-                    # The last line is cut short where a run was killed while writing it.
+                    # The last line is incomplete if a run was killed while writing it.
                     if line.endswith("\n"):
                         record = json.loads(line)
                         self.records[record["key"]] = record
@@ -93,7 +94,8 @@ class Runner:
         self.done, self.total, self.begin, self.quiet = 0, 0, time.monotonic(), False
 
     def key(self, method, case):
-        """Ours by the program's bytes and the parameters, the peers by their version and the code that calls them."""
+        """Our answers are keyed by the program's bytes and the parameters, those of peers by their version and the code
+        that calls them."""
         if method in PEERS:
             return f"{method}@{peer_fingerprint()}|{case}"
         parameters = json.dumps(our_parameters(method), sort_keys=True)
@@ -106,8 +108,9 @@ class Runner:
         return self.answers.arrays(self.key(method, case))
 
     def take(self, report, tasks):
-        """The answers of peers that a report of the same peers already has, where they are not there yet: all but those whose seconds are
-        reported, which are comparable on one machine alone, and those whose maps there and back are put behind one another."""
+        """Copies answers of peers from a report with the same peers, unless they are already here. Not copied: answers
+        with reported times, which are comparable on one machine only, and answers whose maps in both directions are
+        composed."""
         with open(os.path.join(report, "accuracy.json")) as file:
             document = json.load(file)
         made_by = document["provenance"].get("peers", "not named")
@@ -120,7 +123,7 @@ class Runner:
                 self.answers.add({"key": self.key(method, case), **known[method, case], "taken_from": os.path.basename(report)}, {})
 
     def run(self, tasks, quiet=False):
-        """Ours first, alone on the machine; then timed peers, alone; then the others, two side by side."""
+        """Ours first, alone on the machine; then timed peers, alone; then the others, two in parallel."""
         self.quiet = quiet
         missing = [t for t in tasks if t[0] in self.refresh or self.record(t[0], t[1]) is None]
         missing = list(dict.fromkeys(missing))
@@ -164,7 +167,7 @@ class Runner:
     def one_of_a_peer(self, worker, method, name, core):
         case = self.cases.load(name)
         given = {key: case[key] for key in ("V1", "F1", "V2", "F2")}
-        # The edges of a noisy surface are long by their noise, and no measure of its sampling.
+        # Noise lengthens the edges of a surface, so they are no measure of its sampling.
         given["edge"] = min(geometry.mean_edge(case[f"V{k}"], case[f"F{k}"]) for k in (1, 2))
         at = lambda ending: os.path.join(self.folder, f"exchange-{core}.{ending}")
         with open(at("pkl"), "wb") as file:

@@ -1,6 +1,6 @@
-"""The set `scale`: the same pairs in other units of length. An answer must not depend on the unit.
+"""The set `scale`: the same pairs in other units of length, on which answers must not depend.
 
-Positions of both surfaces are multiplied by a factor; vertices, faces and the rotation of the truth stay as they are.
+Positions of both surfaces are multiplied by a factor; vertices, faces and the true rotation are unchanged.
 """
 
 from geometry import LENGTHS

@@ -1,4 +1,4 @@
-"""Figures of merit of one answer, and how they are spread over cases."""
+"""Scores of one answer, and their spread over cases."""
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -9,22 +9,22 @@ import landmarked
 N_BINS = 10
 RESAMPLES = 2000
 NEAR_SHARE = 0.05
-"""Of the target's diagonal: how near a point must be to count for `within_5_pct`."""
+"""Distance within which a point counts for `within_5_pct`, as a share of the target's diagonal."""
 DEGREES_OF_FREEDOM = 8
-"""Of the errors, as the program assumes them: Student's t in the tangent plane."""
+"""Degrees of freedom of the errors assumed by the program: Student's t in the tangent plane."""
 
 
 def expected_beyond(spreads, degrees=DEGREES_OF_FREEDOM):
-    """The share of errors beyond so many spreads that Student's t in a plane predicts.
+    """Share of errors beyond `spreads` spreads under Student's t in a plane.
 
-    With the scale s along each axis, an error is beyond r with the probability (1 + r² / (ν s²))^(−ν/2). A spread is the root
-    mean square of the error's length, s √(2ν / (ν − 2)).
+    With the scale s along each axis, an error is beyond r with the probability (1 + r² / (ν s²))^(−ν/2). A spread is
+    the root mean square of the error's length, s √(2ν / (ν − 2)).
     """
     return (1 + 2 * spreads**2 / (degrees - 2)) ** (-degrees / 2)
 
 
 def of_answer(cases, case, answer):
-    """The generator's own scores of an answer, with those of its sub-vertex points beside them.
+    """The generator's scores of an answer, and those of its sub-vertex points.
 
     A vertex without counterpart (-1) counts as wrong: it is scored with the target vertex farthest from the truth.
     """
@@ -51,7 +51,7 @@ def of_answer(cases, case, answer):
         found["point_err_mm"] = float(off.mean())
         found["point_err_edges"] = found["point_err_mm"] / case["edge"]
         found["point_w1"] = float((off <= case["edge"]).mean())
-        # A vertex without a point or a spread says nothing of its error.
+        # A vertex without a point or a spread has no measurable error.
         stated = np.isfinite(points).all(1) & (answer.get("spread", np.zeros(len(points))) > 0)
         if stated.any():
             found["beyond_2_spreads"] = float((off[stated] > 2 * answer["spread"][stated]).mean())
@@ -74,12 +74,13 @@ def relative_errors(case, images):
 
 
 def of_case(case):
-    """Figures of merit of the pair itself, without any answer."""
+    """Figures of the pair itself, without any answer."""
     return landmarked.of_case(case) if landmarked.is_one(case) else {}
 
 
 def reliability_bins(case, answer):
-    """For each tenth of confidence: vertices, sum of confidences, vertices within one mean target edge of the truth."""
+    """For each tenth of confidence: number of vertices, sum of confidences, number of vertices within one mean target
+    edge of the truth."""
     if "confidence" not in answer or "map" not in answer or "gtpos" not in case:
         return None
     hit = np.linalg.norm(case["V2"][answer["map"]] - case["gtpos"], axis=1) <= case["edge"]
@@ -91,20 +92,23 @@ def reliability_bins(case, answer):
 
 
 def calibration_error(bins):
-    """Expected calibration error: mean over vertices of how far a bin's confidence is from its share of hits."""
+    """Expected calibration error: mean over vertices of the difference between a bin's confidence and its share of
+    hits."""
     n, confidence, hits = (np.array(row) for row in bins)
     return float(np.abs(confidence - hits).sum() / max(n.sum(), 1))
 
 
 def calibration_interval(bins_of_pairs):
-    """Bootstrap 95 % interval of the expected calibration error over pairs, which share what their confidences are off by."""
+    """Bootstrap 95 % interval of the expected calibration error over pairs, within which errors of confidence are
+    correlated."""
     bins = np.array(bins_of_pairs)
     draws = np.random.default_rng(0).integers(len(bins), size=(RESAMPLES, len(bins)))
     return [float(x) for x in np.quantile([calibration_error(bins[draw].sum(axis=0)) for draw in draws], [0.025, 0.975])]
 
 
 def there_and_back(case, forth, back):
-    """Distance between source vertices and where the map forth and the map back take them, in mean source edges."""
+    """Distance between source vertices and their images under the forward and then the backward map, in mean source
+    edges."""
     returned = back[np.maximum(forth, 0)]
     pairs = np.vstack([case["F1"][:, [0, 1]], case["F1"][:, [1, 2]], case["F1"][:, [2, 0]]])
     edge = np.linalg.norm(case["V1"][pairs[:, 0]] - case["V1"][pairs[:, 1]], axis=1).mean()
@@ -113,7 +117,7 @@ def there_and_back(case, forth, back):
 
 
 def spread(values, higher_is_better):
-    """Number, mean with its bootstrap 95 % interval over cases, median and worst."""
+    """Number, mean with its bootstrap 95 % interval over cases, median and worst value."""
     values = np.array(values, float)
     if not len(values):
         return None

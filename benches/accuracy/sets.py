@@ -1,4 +1,4 @@
-"""Names for groups of sets, as `--sets` takes them; any single set can be named as well."""
+"""Names of groups of sets for `--sets`, which also takes single sets."""
 
 import analytic
 import bodies

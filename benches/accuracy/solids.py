@@ -1,6 +1,6 @@
 """The sets `symmetric_*`: two independent samplings of a symmetric solid, each in an arbitrary pose.
 
-No pose can be told from its symmetric ones: the verdict must have the reason `ambiguous_pose`.
+Symmetric poses cannot be told apart: the verdict must have the reason `ambiguous_pose`.
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ import geometry
 import implicit
 
 ROUNDING = 1.0
-"""Radius of the edges of cubes and cylinders, mm: what a grid of 1 mm can still sample."""
+"""Radius of the edges of cubes and cylinders, mm: the smallest that a grid of 1 mm can sample."""
 
 
 def cube(points):
@@ -23,7 +23,7 @@ def cylinder(points):
 
 
 def rounded_box(beyond):
-    """From how far a point is beyond the faces in each direction."""
+    """Signed distance, from the distances of a point beyond the faces in each direction."""
     return np.linalg.norm(np.maximum(beyond, 0), axis=1) + np.minimum(beyond.max(1), 0) - ROUNDING
 
 

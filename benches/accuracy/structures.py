@@ -18,7 +18,7 @@ FILES = {
 KINDS = ["unlike_hippocampus_putamen", "unlike_femur_vertebra"]
 KEPT = False
 N_PAIRS = 8
-"""Two sides of each structure, and the roles exchanged."""
+"""Two sides of each structure, with both assignments of the roles."""
 
 
 def names(cases, kind, n):

@@ -1,4 +1,4 @@
-"""From answers to figures: how each method did on each set, and where the numbers come from."""
+"""From answers to figures: results of each method on each set, and their provenance."""
 
 import datetime
 import os
@@ -54,7 +54,7 @@ def is_close(record):
 
 
 def summarize(records):
-    """Every figure of the records of one method on one set. A pair without an answer has no part in the figures of
+    """Every figure of the records of one method on one set. A pair without an answer is left out of the figures of
     answers, and counts as a failure in the share within 10 degrees."""
     found = {}
     for figure in FIGURES:
@@ -105,7 +105,7 @@ def of_set(records):
 
 
 def counted_verdicts(records):
-    """How many right and wrong answers call themselves reliable; None where nothing tells right from wrong."""
+    """Numbers of right and wrong answers that are reliable; None if right and wrong cannot be told apart."""
     answered = [r for r in records if r["status"] == "answered"]
     judged = [(verdicts.is_right(r), verdicts.is_reliable(r)) for r in answered]
     if any(right is None or reliable is None for right, reliable in judged):
@@ -158,7 +158,7 @@ def there_and_back(run, by_set):
 
 
 def unlike(by_set):
-    """What the result says of pairs that match and of pairs that do not."""
+    """The numbers of the result about its own answer, for pairs that match and pairs that do not."""
     found = {}
     for kind in ["real_resample", "real_cross", *UNLIKE]:
         records = [r for r in by_set.get((DEFAULT, kind), []) if r["status"] == "answered"]

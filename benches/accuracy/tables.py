@@ -79,11 +79,11 @@ def table(header, rows):
 
 
 def failures_text(summary):
-    """How many pairs have no answer, and one of the reasons."""
+    """Number of pairs without an answer, and one of the reasons."""
     lost = ", ".join(f"{n} {status}" for status, n in summary["status"].items() if status != "answered")
     return f"{lost}, for example: {reason(summary['message'])}" if lost and summary["message"] else lost
 
 
 def reason(message):
-    """What a message says first: why, without where and what to do."""
+    """The first part of a message: the reason, without place and advice."""
     return message.strip().partition("\n")[0].removeprefix("homolog: ").partition(";")[0]

@@ -1,8 +1,8 @@
-"""What each number of `benches/thresholds.toml` decides: the program is built with the number made larger and smaller, and both are
-compared with the program as it is, pair by pair. See `make thresholds`.
+"""The effect of each number of `benches/thresholds.toml`: builds the program with the number made larger and smaller,
+and compares both with the unchanged program, pair by pair. See `make thresholds`.
 
-A copy of the tracked files is changed and built under `target/thresholds`; the working tree is not touched. A run that was stopped
-goes on where it was: answers are kept by the program that gave them.
+A copy of the tracked files is changed and built under `target/thresholds`; the working tree is not touched. An
+interrupted run continues: answers are kept by the program that gave them.
 """
 
 import argparse
@@ -26,10 +26,10 @@ SETS = [
     *["bent_120", "bodies_posed", "bodies_unlike", "landmarked_molar", "part_copy", "part_other", "analytic_star_10_1000"],
     *["mirrored", "ellipsoid", "unlike_hippocampus_putamen", "symmetric_cube", "solid_ellipsoid", "bumped_prolate"],
 ]
-"""Every road that a pair can take, and verdicts of every kind."""
+"""Sets that cover every route of a pair and every kind of verdict."""
 SAME_DEG = 1.0
 SAME_SHARE = 0.02
-"""Two answers differ if their rotation errors do by more than this, or their shares of vertices within one edge."""
+"""Two answers differ if their rotation errors or their shares of vertices within one edge differ by more than this."""
 
 
 def arguments():
@@ -47,7 +47,7 @@ def arguments():
 
 
 def changed(text, name, value):
-    """`text` with the number of this name set to `value`: of a constant, or of a member in the defaults of settings."""
+    """`text` with the number `name` set to `value`: a constant, or a member in the defaults of settings."""
     number = r"[-+0-9.e_]+"
     for pattern in (rf"(const {name}: \w+ = ){number}(;)", rf"(\b{name}: ){number}([ ,])"):
         found, n = re.subn(pattern, lambda m: f"{m[1]}{value}{m[2]}", text)
@@ -57,7 +57,7 @@ def changed(text, name, value):
 
 
 def literal(before, value):
-    """`value` in the form of `before`, as Rust wants it."""
+    """`value` as a Rust literal of the type of `before`."""
     return str(max(1, round(value))) if isinstance(before, int) else repr(float(f"{value:.6g}"))
 
 
@@ -74,12 +74,12 @@ class Builds:
             os.makedirs(os.path.dirname(copy), exist_ok=True)
             with open(source, "rb") as file:
                 wanted = file.read()
-            # What has not changed keeps its time, so that it is not built again.
+            # Unchanged files keep their modification time, so that they are not rebuilt.
             if not os.path.exists(copy) or open(copy, "rb").read() != wanted:
                 shutil.copyfile(source, copy)
 
     def build(self, name, threshold=None, value=None):
-        """The path of the program with `threshold` set to `value`."""
+        """The path of the program built with `threshold` set to `value`."""
         path = os.path.join(self.work, "programs", name)
         changes = []
         if threshold:
@@ -109,7 +109,7 @@ def measured(program, made, names, given):
 
 
 def differ(a, b):
-    """Whether two answers to one pair differ in more than digits."""
+    """Whether two answers to one pair differ by more than rounding."""
     if a["status"] != b["status"]:
         return True
     of = lambda record, figure: record.get("scores", {}).get(figure)

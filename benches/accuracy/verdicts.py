@@ -1,4 +1,4 @@
-"""Whether an answer is right, and whether its `reliability` says so."""
+"""Whether an answer is right, and whether its `reliability` is correct."""
 
 from cases import UNLIKE
 from coarse import KINDS as NOISY
@@ -13,7 +13,7 @@ EXPECTED = {
     **{kind: None for kind in UNLIKE},
     "mirrored": "other_handedness",
 }
-"""Sets whose answers must not be reliable, with the reason that must be among those given; None: any."""
+"""Sets whose answers must not be reliable, with the reason that must be among the given ones; None: any reason."""
 RIGHT_DEG = 5
 RIGHT_SHARE = 0.5
 RIGHT_LABELS = 0.8
@@ -30,13 +30,13 @@ def kind_of(record):
 
 
 def is_right(record):
-    """Whether an answer is right; None where nothing says so.
+    """Whether an answer is right; None if this cannot be decided.
 
     Copies: the rotation is within 5 degrees. Deformed pairs: half of the vertices are within two edges of the truth.
-    Two subjects and any other pair with a rigid truth: within 10 degrees, as the rigid truth itself is an estimate. So are solids with
-    a bump, since what is asked is which of the poses of the solid it is. A part and another
-    subject's whole: labels agree at four fifths of the vertices, or, without labels, the rotation is within 45 degrees, so that no end is taken
-    for the other, as the rigid truth of a part differs from that of the whole.
+    Two subjects and any other pair with a rigid truth: within 10 degrees, as the rigid truth itself is an estimate.
+    Solids with a bump: also within 10 degrees, which decides between the symmetric poses of the solid. A part and
+    another subject's whole: labels agree at four fifths of the vertices, or, without labels, the rotation is within 45
+    degrees, which distinguishes the two ends although the rigid truth of a part differs from that of the whole.
     """
     kind, found = kind_of(record), record.get("scores", {})
     if kind in EXPECTED:
@@ -64,7 +64,7 @@ def is_wrong_yet_reliable(record):
 
 
 def gives_expected_reason(record):
-    """Whether an answer that must not be reliable is not, for the reason expected."""
+    """Whether an answer that must not be reliable is unreliable for the expected reason."""
     reason = EXPECTED[kind_of(record)]
     said = record.get("reliability") or {}
     return not said.get("reliable", True) and (reason is None or reason in said.get("reasons", []))

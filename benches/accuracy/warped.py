@@ -16,14 +16,15 @@ RMS_SHARE = 0.04
 N_BUMPS = 60
 NARROW = (0.06, 0.09)
 LEAST_VOLUME_RATIO = 0.1
-"""A warp of `narrow4` that compresses volume by more than a factor of ten somewhere is left out."""
+"""Least ratio of volumes: a warp of `narrow4` that compresses volume by more than a factor of ten somewhere is left
+out."""
 N_STEPS = 16
 
 
 def names(cases, kind, n):
     if kind != "narrow4":
         return cases.first_of_genus_0(kind, n)
-    # The generator makes any size of warp from the name, but does not check that larger ones are invertible.
+    # The generator makes any size of warp from the name, but does not check that larger warps are invertible.
     return cases.first_of_genus_0(kind, n, lambda index: is_invertible(cases, index))
 
 
@@ -34,7 +35,8 @@ def make(cases, kind, index):
 
 
 def is_invertible(cases, index):
-    """Whether the generator's narrow warp of 4 % has no fold on the structure, and its fixed point is its inverse."""
+    """Whether the generator's narrow warp of 4 % has no fold on the structure, so that its fixed point is its
+    inverse."""
     mask = structure(cases, index)
     vertices, _ = cases.real.surface(mask)
     warp = cases.real.Warp(RMS_SHARE, vertices, index, N_BUMPS, NARROW)
@@ -57,8 +59,8 @@ def structure(cases, index):
 class Flow:
     """The flow of a stationary velocity field, a sum of Gaussian bumps, for unit time.
 
-    Unlike one large displacement, a flow never folds, however narrow its kernels are; its inverse is the flow back.
-    The velocity is scaled so that the displacement of `points` about its mean has the RMS asked for.
+    Unlike a single large displacement, a flow never folds, even with narrow kernels; its inverse is the reverse flow.
+    The velocity is scaled so that the displacement of `points` about its mean has the given RMS.
     """
 
     def __init__(self, rms, points, seed, width):
@@ -85,7 +87,7 @@ class Flow:
         return self._integrate(points, -1 / N_STEPS)
 
     def _integrate(self, points, step):
-        """Runge-Kutta of fourth order."""
+        """Runge-Kutta integration of fourth order."""
         for _ in range(N_STEPS):
             a = self.velocity(points)
             b = self.velocity(points + step / 2 * a)
@@ -96,7 +98,7 @@ class Flow:
 
 
 def flow_case(cases, width, index):
-    """A hippocampus and its warped copy in an arbitrary pose, sampled anew by 1 mm voxels, as the generator does it."""
+    """A hippocampus and its warped copy in an arbitrary pose, re-sampled by 1 mm voxels, as the generator does it."""
     real, mask = cases.real, structure(cases, index)
     vertices, faces = real.surface(mask)
     diagonal = geometry.diagonal(vertices)

@@ -26,7 +26,7 @@ pub struct TopologyConsistency {
 /// Why a labeling cannot be measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum LabelingError {
-    /// The number of values differs from that of source vertices.
+    /// The number of values is not the number of source vertices.
     #[error("{found} values are given for {n_vertices} source vertices")]
     LengthMismatch {
         /// Values given.

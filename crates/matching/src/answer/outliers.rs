@@ -22,7 +22,7 @@ pub enum OutlierReason {
 /// to outliers is not an outlier itself if at least half of its edges hold.
 ///
 /// # Errors
-/// [`LabelingError`], also if the number of residuals is not that of the vertices.
+/// [`LabelingError`], also if the number of residuals is not the number of vertices.
 ///
 /// # Cost
 /// `O(|E→|)` if neighbors have images that are close, on all threads.

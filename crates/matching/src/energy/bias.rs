@@ -24,7 +24,7 @@ pub(crate) fn bias_of_pairs(
     (0..n).flat_map(|i| (0..n_labels).map(move |x| (i, x))).map(bias).collect()
 }
 
-/// A bias away from `labelings`: the initial cost of each label near that of a variable in one of them, at most
+/// A bias away from `labelings`: the initial cost of each label near the label of a variable in one of them, at most
 /// `repulsion`, falling off over `width`, a distance along the surface in roots of its area.
 pub(crate) fn bias_away_from(labelings: &[&Labeling], labels: &Sites, repulsion: f64, width: f64) -> Vec<f32> {
     let scale = -0.5 / (width * width);

@@ -34,8 +34,8 @@ const WIDTHS: [f64; 7] = [0.075, 0.105, 0.15, 0.21, 0.3, 0.42, 0.6];
 /// Largest ratio of the variances of the process and of the noise, as a power of two: on surfaces without noise a field
 /// is known to a thousandth of its size.
 const LARGEST_RATIO: i32 = 22;
-/// Kernels of the process, and the exponent by which their amplitude falls with their width: that of a Matérn process
-/// of smoothness 5/2 (Rasmussen, Williams 2006, section 4.2.1).
+/// Kernels of the process, and the exponent by which their amplitude falls with their width, as for a Matérn process of
+/// smoothness 5/2 (Rasmussen, Williams 2006, section 4.2.1).
 const N_OCTAVES: i32 = 3;
 const SMOOTHNESS: f64 = 2.5;
 /// Most iterations between the variances and the error of heights, and the growth of variances at which they stop.
@@ -190,7 +190,7 @@ impl Sample {
         for observed in &self.features {
             let differences: Vec<f64> = observed.iter().map(|(difference, _)| *difference).collect();
             let (variance, correlated) = (self.variance(&differences), self.correlated_area(&differences, root_mm));
-            // A feature without differences (planes, exact copies) says nothing about its noise, so it is left out.
+            // A feature without differences (planes, exact copies) has no reliable gradient, so it is left out.
             if variance > 0.0 {
                 // Features are highly correlated with each other.
                 let variance = variance / FEATURE_SHARE;

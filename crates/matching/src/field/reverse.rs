@@ -25,7 +25,7 @@ pub(crate) struct ReverseFit<'a> {
 }
 
 impl ReverseFit<'_> {
-    /// Whether the residual is that of two subjects.
+    /// Whether the residual is as large as between two subjects.
     pub(crate) fn is_of_two_subjects(&self) -> bool {
         self.fine.residual_mm >= self.displacement.options.route.two_subjects * self.displacement.lengths.sampling_mm
     }

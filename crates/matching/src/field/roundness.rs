@@ -1,6 +1,6 @@
 //! Nearly round surfaces: spread of the answers from starts that are rotated about an axis.
 //!
-//! The rotation of a surface of revolution about its axis cannot be determined, and that of a nearly round surface
+//! The rotation of a surface of revolution about its axis cannot be determined; the rotation of a nearly round surface
 //! hardly can. A smooth deformation compensates for a wrong rotation, so that each start ends at a different answer
 //! with nearly the same misfit (docs/findings.md). The posterior of one field covers only the surroundings of its own
 //! answer. So if a rotation hardly raises the misfit, the field is fitted from several rotations, and their spread,

@@ -6,7 +6,7 @@
 //! curvature features, whose variances are estimated in every step; then the field is fitted to the means of the
 //! assigned points.
 //!
-//! 1. **Coarse**, on thinned surfaces, `σ` from 5 % to 4 % of the diagonal, from the best poses of each handedness
+//! 1. **Coarse**, on thinned surfaces, `σ` from 5 % to 4 % of the diagonal, from the two best poses of each handedness
 //!    after a few steps from every pose. The pose of the lowest misfit is kept, so poses with head and tail exchanged,
 //!    and poses that mirror, are compared after their deformation.
 //! 2. **Middle**, on all vertices, to 2.5 % of the diagonal.

@@ -57,7 +57,7 @@ pub(crate) struct LocalSettings {
     /// Widths of a second kernel that are tried, in diagonals of the source. Shorter variation, over two or three
     /// voxels of a hippocampus, is a matter of the manual outline.
     pub widths: [f64; 4],
-    /// Ratio of the displacement and the amplitude of the heights. Heights are distances to closest points, which are
+    /// Ratio of the displacement to the amplitude of the heights. Heights are distances to closest points, which are
     /// smaller than those to the counterparts where points are also displaced along the surface.
     pub amplitude: f64,
     /// Share of the amplitude of the heights that counts as noise along the normals: shapes of two subjects differ

@@ -29,11 +29,11 @@ use std::sync::Mutex;
 
 /// An image for every source vertex of `coarse`, from the pose of `posed`.
 ///
-/// With a displacement field the compared poses are that of `posed`, that of the landmarks, those that the labels of an
-/// energy support and, if these leave a doubt, those of a search of all orientations, including poses that mirror. The
-/// pose that fits best after the deformation is kept. If no field can be fitted, the images are those of the pose of
-/// `posed`, of registration alone if the pose was left to the field, or else of the first of the other poses. A
-/// published method starts from the first of these poses.
+/// With a displacement field the compared poses are the pose of `posed`, the pose of the landmarks, the poses that the
+/// labels of an energy support and, if these leave a doubt, the poses of a search of all orientations, including poses
+/// that mirror. The pose that fits best after the deformation is kept. If no field can be fitted, the images are those
+/// of the pose of `posed`, of registration alone if the pose was left to the field, or else of the first of the other
+/// poses. A published method starts from the first of these poses.
 ///
 /// # Errors
 /// [`MatchError::NoRegistration`] if `posed` has no pose and there is no other one: without a displacement field, or if
@@ -149,7 +149,7 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         }
         _ => None,
     };
-    // Some labels of a part correspond to nothing.
+    // If one surface is open, some labels or variables may have no counterpart.
     let may_begin = !surfaces.open && scene.parameters.displacement.starts == FieldStarts::Labels;
     match inferred.as_ref().filter(|inferred| may_begin && inferred.is_clear()) {
         Some(inferred) => {

@@ -102,8 +102,8 @@ impl Starts {
         self.poses.iter().map(start_pose).collect()
     }
 
-    /// Excess misfit of `pose` in the search: that of the best pose in the same place, or of the last pose for a pose
-    /// that the search did not return.
+    /// Excess misfit of `pose` in the search: the least excess of the poses found that are the same, at most that of
+    /// the last pose found.
     fn excess(&self, pose: &RigidTransform, are_same: impl Fn(&RigidTransform, &RigidTransform) -> bool) -> f64 {
         let alike = self.of_search.iter().filter(|p| are_same(&p.target_from_source, pose));
         let least = alike.map(|p| p.excess).fold(f64::INFINITY, f64::min);

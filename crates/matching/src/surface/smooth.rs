@@ -36,7 +36,7 @@ pub(crate) struct SmoothSurface {
     closest: OnceLock<SurfaceIndex>,
 }
 
-/// Every `k`-th vertex of a surface, with areas that sum to that of the surface.
+/// Every `k`-th vertex of a surface, with areas that sum to the area of the surface.
 pub(crate) struct Thinned {
     /// Indices of the vertices.
     pub vertices: Vec<usize>,

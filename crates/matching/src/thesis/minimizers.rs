@@ -133,7 +133,7 @@ impl Minimizer for Dual<'_> {
                 energy_unary: Some(energy.unary),
                 energy_pairwise: Some(energy.pairwise),
                 labels_changed: (!last.is_empty()).then_some(changed as u32),
-                // With feedback the bound is that of another energy than the reported one.
+                // With feedback the bound is for another energy than the reported one.
                 lower_bound: self.biased.is_none().then_some(iteration.bound),
                 ..TracePoint::new(round, Phase::Inference, iteration.iteration)
             });

@@ -6,7 +6,7 @@
 //! The modules in reading order:
 //!
 //! - The service: [`jobs`] (jobs and the ports), [`store`] (SQLite or PostgreSQL, and blobs), [`worker`] (runs jobs),
-//! [`http`] (the API).
+//!   [`http`] (the API).
 //! - Wiring: [`app`], [`cli`], [`config`], [`telemetry`], [`spans`], [`tls`].
 
 pub mod jobs;

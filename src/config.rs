@@ -44,13 +44,14 @@ pub struct ServiceSettings {
     /// directory
     #[arg(long, env = "HOMOLOG_ARTIFACTS_URL", value_parser = s3_url, value_name = "URL")]
     pub artifacts_url: Option<String>,
-    /// How long results and traces are kept after a job has ended, days; 0: for ever
+    /// How long results and traces are kept after a job has ended, days; 0: forever
     #[arg(long, env = "HOMOLOG_RETAIN_RESULTS_DAYS", default_value_t = 90.0, value_parser = days, value_name = "DAYS")]
     pub retain_results_days: f64,
-    /// How long the records of jobs, and everything that belongs to them, are kept after they have ended, days; 0: for ever
+    /// How long the records of jobs, and everything that belongs to them, are kept after they have ended, days; 0:
+    /// forever
     #[arg(long, env = "HOMOLOG_RETAIN_JOBS_DAYS", default_value_t = 365.0, value_parser = days, value_name = "DAYS")]
     pub retain_jobs_days: f64,
-    /// How long results and traces of one tenant are kept, as TENANT=DAYS; 0: for ever; repeatable
+    /// How long results and traces of one tenant are kept, as TENANT=DAYS; 0: forever; repeatable
     #[arg(
         long = "tenant-retain-results-days",
         env = "HOMOLOG_TENANT_RETAIN_RESULTS_DAYS",
@@ -58,7 +59,7 @@ pub struct ServiceSettings {
         value_name = "TENANT=DAYS"
     )]
     pub tenant_retain_results_days: Vec<TenantDays>,
-    /// How long the records of jobs of one tenant are kept, as TENANT=DAYS; 0: for ever; repeatable
+    /// How long the records of jobs of one tenant are kept, as TENANT=DAYS; 0: forever; repeatable
     #[arg(
         long = "tenant-retain-jobs-days",
         env = "HOMOLOG_TENANT_RETAIN_JOBS_DAYS",

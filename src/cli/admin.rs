@@ -46,7 +46,7 @@ enum KeysAction {
         /// default: submitter
         #[arg(long, value_name = "ROLE", conflicts_with = "scope")]
         role: Option<String>,
-        /// What the key allows, separated by commas, where no role fits: read, submit, admin
+        /// Scopes of the key, separated by commas, where no role fits: read, submit, admin
         #[arg(long, value_delimiter = ',', value_name = "SCOPES")]
         scope: Vec<String>,
         /// Days until the key expires; absent: it does not expire

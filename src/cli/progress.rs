@@ -12,7 +12,7 @@ const TEMPLATE: &str = "{msg:14} {bar:40} {percent:>3} % {elapsed:>4}{prefix}";
 const LEAST_FRACTION: f64 = 0.1;
 const LEAST_TIME: Duration = Duration::from_secs(2);
 
-/// What to show if the standard error is not a terminal.
+/// The output if the standard error is not a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WithoutTerminal {
     /// Nothing.

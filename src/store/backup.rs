@@ -183,7 +183,7 @@ async fn checked(folder: &Path, data: &Path) -> Result<Counted, BackupError> {
     found
 }
 
-/// Creates the folder of a back-up; one that holds something else is refused.
+/// Creates the folder of a back-up; refuses a folder that holds something else.
 fn prepare(folder: &Path) -> Result<(), BackupError> {
     private_files::create_dir_all(folder).map_err(at(folder))?;
     let is_empty = fs::read_dir(folder).map_err(at(folder))?.next().is_none();

@@ -63,7 +63,7 @@ impl Keyring {
     /// skipped.
     ///
     /// # Errors
-    /// What is wrong, without the keys.
+    /// The fault, without the keys.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut keys: Vec<(KeyId, LessSafeKey)> = Vec::new();
         for (index, line) in text.lines().enumerate().map(|(index, line)| (index, line.trim())) {

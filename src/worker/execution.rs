@@ -29,7 +29,7 @@ const STORE_TIMEOUT: Duration = Duration::from_secs(60);
 /// How long a job's cores stay unused after a store was unavailable for longer than [`STORE_TIMEOUT`].
 const AFTER_OUTAGE: Duration = Duration::from_secs(5);
 
-/// What the computation's thread returns.
+/// The value that the computation's thread returns.
 type Computed = Result<Answer, ComputeError>;
 
 /// How a job ends.
@@ -42,7 +42,7 @@ enum Ending {
     Abandon,
 }
 
-/// What a computation may use.
+/// The resources that a computation may use.
 struct Allotment {
     n_threads: usize,
     memory_bytes: u64,

@@ -1,4 +1,4 @@
-//! Heartbeats of all running jobs of this process, on an operating-system thread of their own.
+//! Heartbeats of all running jobs of this process, on a separate operating-system thread.
 //!
 //! The thread has its own small runtime and its own connections to the store. It extends leases and sees requests to
 //! cancel even when the cores, the main runtime or the other connections are busy.

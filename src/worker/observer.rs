@@ -47,7 +47,7 @@ impl JobObserver {
         observed.changed = true;
     }
 
-    /// What was observed since the last call; `None` if nothing was.
+    /// Trace and progress since the last call; `None` if there is nothing new.
     pub(crate) fn take(&self) -> Option<TraceChunk> {
         let mut observed = self.lock();
         if !observed.changed {

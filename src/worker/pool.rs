@@ -85,7 +85,7 @@ pub(crate) struct PoolParts {
     pub(crate) studies: StudyProgression,
     /// The computation.
     pub(crate) engine: Arc<dyn Engine>,
-    /// Extends the leases, over database connections of its own.
+    /// Extends the leases, over separate database connections.
     pub(crate) heartbeats: Arc<Heartbeats>,
     /// The identity under which jobs are claimed.
     pub(crate) worker: WorkerId,

@@ -308,7 +308,7 @@ fn no_child_survives_the_service() {
     eventually("children end with their parent", || all.iter().all(|&pid| !exists(pid)).then_some(()));
 }
 
-/// The service is killed while its children compute, and started again over what it has stored.
+/// The service is killed while its children compute, and started again on the same stored data.
 #[test]
 fn a_killed_service_loses_no_job_and_leaves_no_child() {
     let folder = tempfile::tempdir().unwrap();

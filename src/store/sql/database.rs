@@ -162,7 +162,7 @@ impl Database {
         in_transaction(link, begin, work).await
     }
 
-    /// A connection for single reads, each of which sees what is committed when it runs.
+    /// A connection for single reads, each of which sees the data committed when it runs.
     pub(super) async fn reader(&self) -> Result<Session, JobError> {
         let link = match self {
             Database::Sqlite { readers, .. } => Link::Sqlite(Some(readers.acquire().await.map_err(domain_error)?)),

@@ -75,7 +75,7 @@ pub(crate) struct StoredBlob {
     pub(crate) n_bytes: u64,
 }
 
-/// Settings of a store; the defaults are those of tests.
+/// Settings of a store; tests use the defaults.
 #[derive(Debug, Default)]
 pub struct StoreSettings {
     /// The weights of tenants.

@@ -148,7 +148,7 @@ fn cpu_seconds_in(stat: &str) -> Option<u64> {
     Some((ticks(11)? + ticks(12)?) / TICKS)
 }
 
-/// Limits that a child sets for itself, once: it writes no files, leaves no dump, and opens next to nothing.
+/// Limits that a child sets for itself, once: it writes no files and no core dump, and opens almost no files.
 pub(super) fn bound_self() {
     use rustix::process::{Resource, Rlimit, setrlimit};
     for (resource, most) in [(Resource::Core, 0), (Resource::Fsize, 0), (Resource::Nofile, 16)] {

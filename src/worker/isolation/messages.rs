@@ -78,7 +78,7 @@ pub(super) enum Request {
         /// The lengths of the blobs, in order.
         lengths: Vec<usize>,
     },
-    /// Try what a computation must not be able to do.
+    /// Try the actions that a computation must not be able to perform.
     Attempt,
 }
 
@@ -143,7 +143,7 @@ impl From<WirePart> for ResultPart {
 pub(super) enum Told {
     /// The child takes requests.
     Ready {
-        /// What confines the child.
+        /// The confinement of the child.
         confinement: Confinement,
         /// Memory that each of its threads reserves for matrix products, bytes.
         scratch_bytes: u64,
@@ -187,7 +187,7 @@ pub(super) enum Outcome {
     Panicked(Option<String>),
     /// The system provided no threads.
     NoThreads(String),
-    /// What succeeded of [`Request::Attempt`].
+    /// The attempted actions that succeeded.
     Attempted(Vec<String>),
 }
 
@@ -245,7 +245,7 @@ pub(super) struct KeptSurfaces {
     pub(super) bytes: u64,
 }
 
-/// What confines a child.
+/// The confinement of a child.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Confinement {
     /// Landlock: the child can open neither files nor connections.

@@ -22,7 +22,7 @@ pub use process::COMMAND;
 /// Where computations run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Isolation {
-    /// In processes of their own, confined and bounded
+    /// In separate processes, confined and bounded
     Process,
     /// In threads of the service: whatever breaks a computation breaks the service
     None,

@@ -28,7 +28,7 @@ pub(super) struct Upbringing {
     pub(super) program: PathBuf,
     /// The first message to each child.
     pub(super) beginning: Beginning,
-    /// Threads of each child for work that has no threads of its own.
+    /// Threads of each child for work without dedicated threads.
     pub(super) n_threads: usize,
     /// Most children that rest at the same time.
     pub(super) most_resting: usize,

@@ -89,7 +89,7 @@ pub(super) struct Child {
     stderr: Option<ChildStderr>,
     scratch_bytes: u64,
     resident_at_start: u64,
-    /// What confines it.
+    /// The confinement of the child.
     pub(super) confinement: Confinement,
     /// The owner for whom it has computed.
     pub(super) owner: Option<String>,

@@ -1,4 +1,4 @@
-//! What a child gives up before it reads any bytes of clients: files, connections, programs, other processes.
+//! Confinement of a child before it reads any bytes of clients: files, connections, programs, other processes.
 //!
 //! There are two barriers, each as strong as the kernel supports: Landlock, which controls files and connections, and a
 //! filter of system calls, which also controls processes. The filter lists the refused calls, not the allowed ones: a

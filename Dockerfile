@@ -9,9 +9,9 @@
 # append `serve --auth none --insecure` to the third line. deploy/ has complete setups: one machine, separate services,
 # Kubernetes.
 
-# Tags, which get security updates. No digest stands here: none has been checked against the registry yet, and a wrong one is worse
-# than a tag. For an image that can be built again to the byte, pass the same images with the digests that
-# `docker buildx imagetools inspect rust:1.95-slim-bookworm` prints: --build-arg BUILD_IMAGE=rust@sha256:...
+# Tags, which get security updates. No digest is given here: none has been checked against the registry yet, and a wrong
+# digest is worse than a tag. For an image that can be built again to the byte, pass the same images with the digests
+# that `docker buildx imagetools inspect rust:1.95-slim-bookworm` prints: --build-arg BUILD_IMAGE=rust@sha256:...
 ARG BUILD_IMAGE=rust:1.95-slim-bookworm
 ARG RUN_IMAGE=debian:bookworm-slim
 

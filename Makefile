@@ -4,9 +4,9 @@
 #              why; HOMOLOG_REAL_DATA=dir: the real data that some need
 # make faults  fault injection in full length, an hour: processes and children killed, databases stopped, disks filled;
 #              TEST=a06: only the test of that name
-# make soak    an hour of mixed load with faults: memory and open files must not grow, nothing be lost; SECONDS=600: shorter;
+# make soak    an hour of mixed load with faults: memory and open files must not grow, no job may be lost; SECONDS=600: shorter;
 #              the record is target/soak.md
-# make memory  attack the service in a memory group, or measure its memory where there is none: 2 GiB with workers, 512 MiB
+# make memory  attack the service in a memory group, or measure its memory if groups are unavailable: 2 GiB with workers, 512 MiB
 #              without; SECONDS=60; the record is target/memory.md
 # make check   words (scripts/words.txt), formatting, lints, documentation, unused dependencies, licenses and sources of dependencies
 #              (deny.toml)
@@ -19,19 +19,19 @@
 # make client  target/wheels: the Python package with this machine's program in it
 # make dashboard build the page of the dashboard, dashboard/dist, with node; make screenshots: the pictures in docs/dashboard,
 #              by the tests in a browser; TEST=batch: only the test of that name
-# make picture redraw docs/match.png; make method-pictures: those in docs/methods
+# make picture redraw docs/match.png; make method-pictures: redraw the pictures in docs/methods
 # make experiment  measure every method and write a report that includes the newest accuracy table; DATA=dir: real label
 #              volumes in dir/hippocampus
 # make accuracy  measure accuracy and compare it with other programs; DATA=dir: label volumes in dir/hippocampus;
 #              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
-# make energies  the energy of the truth against what each minimizer finds; DATA, EVAL, CASES as for make accuracy
-# make thresholds  what each number of benches/thresholds.toml decides: builds with it larger and smaller, against the build as it is,
-#              hours; ONLY=NAME,...: some of them; DATA, EVAL, CASES as for make accuracy; the record is target/thresholds/thresholds.md
+# make energies  compare the energy of the truth with the result of each minimizer; DATA, EVAL, CASES as for make accuracy
+# make thresholds  effect of each number of benches/thresholds.toml: compare builds with a larger and a smaller number with the
+#              normal build, hours; ONLY=NAME,...: some of them; DATA, EVAL, CASES as for make accuracy; the record is target/thresholds/thresholds.md
 # make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and eight methods;
 #              DATA=dir: label volumes in dir/hippocampus
-# make peers-read  read what other programs write, mutations of it and test data of PyPI packages with homolog and with nibabel, VTK,
+# make peers-read  read files of other programs, mutations of them and test data of PyPI packages with homolog and with nibabel, VTK,
 #              SimpleITK, pynrrd, trimesh and highdicom; writes docs/formats-read.md; ROUNDS=6: mutations of each kind
-# make fuzz    coverage-guided fuzzing of the readers, or of what clients send: PART=json, form, headers, query or token; FOR=600:
+# make fuzz    coverage-guided fuzzing of the readers, or of client requests: PART=json, form, headers, query or token; FOR=600:
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
 # make methods  published methods (docs/methods) beside other programs of the same methods; DATA, EVAL as for make accuracy;
 #             CASES=set:index,... pairs other than the default ones
@@ -192,10 +192,10 @@ study-env:
 answers: build
 	scripts/answers target/release/homolog --data "$(DATA)" --against tests/answers.tsv
 
-# A panic, a file that costs more than two seconds, one that asks for more than 256 MiB at once (64 KiB may inflate to 64 MiB, and a
-# buffer that grows doubles), and one that holds more than 64 times its inflated size and 16 MiB are faults. Files that were found go
-# to fuzz/crashes, which a test reads under tighter limits of time.
-# What clients send begins from fuzz/kept, where what was found goes too; a test reads it.
+# Faults are a panic, a file that takes more than two seconds, a single request for more than 256 MiB (64 KiB may
+# inflate to 64 MiB, and a growing buffer doubles), and memory above 64 times the inflated size plus 16 MiB. Found files
+# go to fuzz/crashes, which a test reads under tighter time limits. Fuzzing of client requests starts from fuzz/kept and
+# adds its findings there; a test reads them.
 fuzz:
 	command -v cargo-fuzz >/dev/null || $(CARGO) install --locked --version 0.13.2 cargo-fuzz
 ifneq ($(filter-out read,$(PART)),)
@@ -220,8 +220,8 @@ bench:
 	  { echo "# Benchmarks, $$(date -u +%Y-%m-%d); command: make bench"; echo; cat target/bench.md; } > "$$record"; \
 	  echo "record: $$record"
 
-# The program that is compared is a separate package, so that homolog does not depend on it. If it cannot be
-# built, its row says so.
+# The peer that is compared is a separate package, so that homolog does not depend on it. If it cannot be built, its row
+# says so.
 bench-service:
 	@scripts/setup test
 	mkdir -p benches/records

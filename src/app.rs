@@ -44,7 +44,7 @@ const DRAIN_TIMEOUT: Duration = Duration::from_secs(5);
 /// Why a process does not start.
 #[derive(Debug, thiserror::Error)]
 pub enum AppError {
-    /// Other machines could reach the service, and it would require no authentication.
+    /// The service would require no authentication although other machines can reach it.
     #[error(
         "{0} can be reached from other machines without authentication: use --auth keys, listen on 127.0.0.1, or pass --insecure"
     )]
@@ -52,17 +52,17 @@ pub enum AppError {
     /// The address cannot be bound.
     #[error("cannot listen on {address}: {error}{}", choose_another(error))]
     Listen {
-        /// Which one.
+        /// The address.
         address: SocketAddr,
-        /// Why.
+        /// The cause.
         error: std::io::Error,
     },
     /// The data directory cannot be used.
     #[error("cannot use the data directory {}: {error}", path.display())]
     DataDir {
-        /// Which one.
+        /// The data directory.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         error: std::io::Error,
     },
     /// Another process serves the data directory.
@@ -71,12 +71,12 @@ pub enum AppError {
     /// A store cannot be used.
     #[error("{what} cannot be used: {error}")]
     Store {
-        /// Which one.
+        /// The store.
         what: &'static str,
-        /// Why, with its causes.
+        /// The error with its causes.
         error: String,
     },
-    /// The blob store is not that of the other processes that use the database.
+    /// The blob store differs from the one of the other processes on the database.
     #[error(
         "the blob store is not the one that this database belongs to: its mark is missing. Processes that share a database share one \
          blob store: give all of them the same --artifacts-url, or the same --data-dir on storage that they share"
@@ -85,9 +85,9 @@ pub enum AppError {
     /// The file with the key of secrets cannot be used.
     #[error("cannot use the key of secrets in {}: {error}", path.display())]
     SecretKey {
-        /// Which file.
+        /// The file.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         error: std::io::Error,
     },
     /// The keys for encryption at rest cannot be used, or are missing.
@@ -109,7 +109,7 @@ pub enum AppError {
     Thread(std::io::Error),
 }
 
-/// What can be done about an address that another program uses.
+/// Advice for an address that another program uses.
 fn choose_another(error: &std::io::Error) -> &'static str {
     match error.kind() {
         std::io::ErrorKind::AddrInUse => {
@@ -129,8 +129,8 @@ pub struct Shutdown {
 }
 
 impl Shutdown {
-    /// Handles SIGTERM and SIGINT: the first signal cancels `stop` and, after `grace`, `give_back`; a second one cancels
-    /// `give_back` at once.
+    /// Handles SIGTERM and SIGINT: the first signal cancels `stop` and, after `grace`, `give_back`; a second signal
+    /// cancels `give_back` at once.
     pub fn follow_signals(&self, grace: Duration) {
         let shutdown = self.clone();
         tokio::spawn(async move {
@@ -168,7 +168,7 @@ pub struct App {
 }
 
 impl App {
-    /// Opens the stores and takes back the jobs of processes that have ended.
+    /// Opens the stores and requeues the jobs of processes that have ended.
     ///
     /// # Errors
     /// [`AppError`].
@@ -190,7 +190,7 @@ impl App {
             Some(match ServeLock::acquire(&data_dir, Duration::ZERO).map_err(unusable)? {
                 Some(lock) => lock,
                 None => {
-                    // Said at once: as long as it waits, it does not answer.
+                    // Logged at once: the process does not answer while it waits.
                     tracing::warn!(
                         "another `homolog serve` uses the data directory; waiting {} s for it to end",
                         TAKEOVER_TIMEOUT.as_secs()
@@ -216,7 +216,7 @@ impl App {
         if n_sealed > 0 {
             tracing::info!(n_sealed, "secrets of webhooks were sealed with the current key");
         }
-        // Heartbeats have connections of their own, so that they never wait for other work of this process.
+        // Heartbeats have their own connections, so that they never wait for other work of this process.
         let heartbeat_store = SqlStore::open(&settings.database(HEARTBEAT_CONNECTIONS)).await.map_err(database)?;
         let stored = open_stored(settings)?;
         if is_shared {
@@ -279,7 +279,7 @@ impl App {
         self.run_probed(http, None, shutdown).await;
     }
 
-    /// The same; answers the probes of supervisors on `probes` too, apart from the connections of clients.
+    /// As [`App::run`], and also answers probes of supervisors on `probes`, separately from the connections of clients.
     pub async fn run_probed(
         self,
         http: Option<(TcpListener, HttpSettings, ServiceSettings)>,
@@ -334,8 +334,8 @@ impl App {
         end_probes(probes).await;
     }
 
-    /// Answers the probes of supervisors on a thread of their own, with connections of their own to the database: whatever
-    /// keeps the other threads busy delays no probe.
+    /// Answers the probes of supervisors on a separate thread with its own connections to the database, so that busy
+    /// threads delay no probe.
     fn start_probes(
         &self,
         listener: TcpListener,
@@ -427,7 +427,7 @@ impl App {
             }
         }
         if let Some(recorder) = recorder {
-            // Rows of requests whose clients have left.
+            // Audit rows of requests whose clients have disconnected.
             let _ = tokio::time::timeout_at(drained_by, recorder.settled()).await;
         }
         for store in &self.stores {
@@ -437,7 +437,7 @@ impl App {
     }
 }
 
-/// What requests are answered from, over a store; metrics state the connections of `main`.
+/// The state of the request handlers over a store; metrics report the connections of `main`.
 fn state_over(
     parts: &PoolParts,
     [store, main]: [&SqlStore; 2],
@@ -465,7 +465,7 @@ fn state_over(
     let use_cases = JobService::new(stores, engine, http.submission_limits(service), signals);
     HttpState::new(Arc::new(use_cases), http.http_limits(service), auth, shutdown.stop.clone())
         .with_metrics(metrics)
-        // Checked before the address was bound; if the file is gone since, tokens are refused.
+        // Checked before the address was bound; if the file has disappeared since, tokens are refused.
         .with_tokens(open_tokens(http).ok().flatten())
         .for_hosts(http.hosts())
         .for_origins(CorsOrigins::new(&http.cors_origins))
@@ -487,12 +487,12 @@ pub fn create_data_dir(settings: &ServiceSettings) -> Result<(), AppError> {
     private_files::create_dir_all(path).map_err(|error| AppError::DataDir { path: path.clone(), error })
 }
 
-/// Opens the database of the settings and runs the migrations that are missing.
+/// Opens the database of the settings and runs pending migrations.
 ///
 /// # Errors
 /// [`AppError::Store`].
 pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppError> {
-    // What frees space needs a little of it, and so does a service that is to say that the disk is full.
+    // Commands that free space need some space, and so does a service that reports a full disk.
     if settings.database_url.is_none() && settings.data_dir.is_dir() && reserve::give_up_if_full(&settings.data_dir) {
         tracing::warn!("the disk of the data directory is full; the space that is kept for this is used");
     }
@@ -501,7 +501,7 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
     let keyring = open_keyring(settings)?;
     let seal = match (&settings.secret_key_file, &settings.database_url) {
         (Some(path), _) => Some((path.clone(), Seal::read(path))),
-        // Not created where other keys seal; read where it has sealed what is stored.
+        // With a keyring the file is not created, only read, because it may have sealed stored secrets.
         (None, _) if keyring.is_some() => {
             let path = settings.data_dir.join(SEAL_KEY);
             path.exists().then(|| (path.clone(), Seal::read(&path)))
@@ -510,7 +510,7 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
             let path = settings.data_dir.join(SEAL_KEY);
             Some((path.clone(), Seal::read_or_create(&path)))
         }
-        // Processes on several machines need the same key, which only the operator can give them.
+        // Processes on several machines need the same key, which only the operator can distribute.
         (None, Some(_)) => None,
     };
     let seal = seal.map(|(path, seal)| seal.map_err(|error| AppError::SecretKey { path, error })).transpose()?;
@@ -541,7 +541,7 @@ pub fn open_keyring(settings: &ServiceSettings) -> Result<Option<Arc<Keyring>>, 
     read.map(|keyring| Some(Arc::new(keyring))).map_err(AppError::Encryption)
 }
 
-/// Refuses to run without the key that encrypts the blobs of this service; a new key is noted, unless this is a dry run.
+/// Refuses to run without the key that encrypts the blobs of this service. Records a new key, except in a dry run.
 ///
 /// # Errors
 /// [`AppError::Encryption`], [`AppError::Store`].
@@ -566,8 +566,9 @@ pub(crate) async fn require_keys(store: &SqlStore, keyring: Option<&Keyring>, dr
     }
 }
 
-/// Refuses to run with another blob store than the processes that share the database: their inputs would not be found. The first
-/// process puts a blob with a random mark into its store and the mark into the database; the others must find it.
+/// Refuses to run with a blob store other than that of the processes that share the database, because their inputs
+/// would not be found. The first process puts a blob with a random mark into its store and the mark into the database;
+/// the others must find this blob.
 ///
 /// # Errors
 /// [`AppError::OtherBlobs`], [`AppError::Store`].
@@ -580,7 +581,7 @@ pub(crate) async fn require_shared_blobs(store: &SqlStore, blobs: &dyn StoredBlo
         Some(mark) => mark,
         None => {
             let own = uuid::Uuid::new_v4().to_string();
-            // Stored before it is noted: whoever reads the note finds the blob.
+            // Stored before the mark is recorded, so that every reader of the mark finds the blob.
             blobs.put(&key_of(&own), marked(&own)).await.map_err(|e| store_error("the blob store", &e))?;
             match store.set_blob_store_mark(&own).await.map_err(database)? {
                 true => own,
@@ -620,7 +621,7 @@ pub(crate) fn open_stored(settings: &ServiceSettings) -> Result<Arc<dyn StoredBl
     })
 }
 
-/// The engine of this program: in processes of its own or in threads, by the settings.
+/// The engine of this program: in child processes or in threads, by the settings.
 ///
 /// # Errors
 /// [`AppError::Isolation`].
@@ -631,7 +632,7 @@ pub fn engine(settings: &ServiceSettings) -> Result<Arc<dyn Engine>, AppError> {
     let engine = IsolatedEngine::start(isolation).map_err(AppError::Isolation)?;
     match engine.unconfined() {
         None => tracing::debug!("computations run in processes of their own"),
-        // What the kernel lacks to take files, connections and other processes from them.
+        // The confinement that the kernel does not support.
         Some(lacking) => tracing::warn!(lacking, "computations are not fully confined"),
     }
     Ok(Arc::new(engine))
@@ -651,13 +652,13 @@ pub async fn listen(http: &HttpSettings) -> Result<TcpListener, AppError> {
     bind(address).await
 }
 
-/// The certificates of the listener, by the settings; `None`: it is served without TLS.
+/// The certificates of the listener, by the settings; `None`: no TLS.
 fn open_tls(http: &HttpSettings) -> Result<Option<Arc<ServerTls>>, AppError> {
     let files = http.tls_files().map_err(AppError::Tls)?;
     files.map(ServerTls::open).transpose().map_err(AppError::Tls)
 }
 
-/// What verifies tokens, by the settings; `None`: no tokens are accepted.
+/// The verifier of tokens, by the settings; `None`: no tokens are accepted.
 fn open_tokens(http: &HttpSettings) -> Result<Option<Tokens>, AppError> {
     let settings = http.tokens().map_err(AppError::Tokens)?;
     settings.map(Tokens::open).transpose().map_err(AppError::Tokens)

@@ -1,5 +1,5 @@
-//! The settings, each from the command line, the environment or a configuration file ([`mod@file`]), with its default. The texts of
-//! `--help` are here.
+//! The settings, each from the command line, the environment or a configuration file ([`mod@file`]), with its default.
+//! The texts of `--help` are defined here.
 
 pub mod file;
 
@@ -24,8 +24,8 @@ const MAX_LIST: usize = crate::http::MAX_LIST;
 /// Settings of every process of the service.
 #[derive(Debug, Clone, clap::Args)]
 pub struct ServiceSettings {
-    /// Configuration file in TOML: settings under their names with underscores, such as max_queue = 500; the environment and the
-    /// command line go before it
+    /// Configuration file in TOML: settings under their names with underscores, such as max_queue = 500; the
+    /// environment and the command line override it
     #[arg(long, env = "HOMOLOG_CONFIG", value_name = "FILE")]
     pub config: Option<PathBuf>,
     /// Folder of the database and the files
@@ -44,13 +44,14 @@ pub struct ServiceSettings {
     /// directory
     #[arg(long, env = "HOMOLOG_ARTIFACTS_URL", value_parser = s3_url, value_name = "URL")]
     pub artifacts_url: Option<String>,
-    /// How long results and traces are kept after a job has ended, days; 0: for ever
+    /// How long results and traces are kept after a job has ended, days; 0: forever
     #[arg(long, env = "HOMOLOG_RETAIN_RESULTS_DAYS", default_value_t = 90.0, value_parser = days, value_name = "DAYS")]
     pub retain_results_days: f64,
-    /// How long the records of jobs, and everything that belongs to them, are kept after they have ended, days; 0: for ever
+    /// How long the records of jobs, and everything that belongs to them, are kept after they have ended, days; 0:
+    /// forever
     #[arg(long, env = "HOMOLOG_RETAIN_JOBS_DAYS", default_value_t = 365.0, value_parser = days, value_name = "DAYS")]
     pub retain_jobs_days: f64,
-    /// How long results and traces of one tenant are kept, as TENANT=DAYS; 0: for ever; repeatable
+    /// How long results and traces of one tenant are kept, as TENANT=DAYS; 0: forever; repeatable
     #[arg(
         long = "tenant-retain-results-days",
         env = "HOMOLOG_TENANT_RETAIN_RESULTS_DAYS",
@@ -58,7 +59,7 @@ pub struct ServiceSettings {
         value_name = "TENANT=DAYS"
     )]
     pub tenant_retain_results_days: Vec<TenantDays>,
-    /// How long the records of jobs of one tenant are kept, as TENANT=DAYS; 0: for ever; repeatable
+    /// How long the records of jobs of one tenant are kept, as TENANT=DAYS; 0: forever; repeatable
     #[arg(
         long = "tenant-retain-jobs-days",
         env = "HOMOLOG_TENANT_RETAIN_JOBS_DAYS",
@@ -66,8 +67,8 @@ pub struct ServiceSettings {
         value_name = "TENANT=DAYS"
     )]
     pub tenant_retain_jobs_days: Vec<TenantDays>,
-    /// Number of jobs run at the same time, each with an equal share of the cores; 0: none; default: as many as fit, small
-    /// ones on one core each and large ones on several
+    /// Number of jobs run at the same time, each with an equal share of the cores; 0: none; default: as many as fit,
+    /// small jobs on one core each and large jobs on several
     #[arg(long, env = "HOMOLOG_WORKERS", value_name = "N")]
     pub workers: Option<usize>,
     /// Cores that jobs of this process may use; default: all cores of the machine or the container
@@ -77,11 +78,11 @@ pub struct ServiceSettings {
     /// memory of the machine or the container
     #[arg(long, env = "HOMOLOG_MEMORY_BYTES", value_name = "BYTES")]
     pub memory_bytes: Option<u64>,
-    /// Memory for prepared surfaces that are kept for later jobs, so that a template is prepared only once, bytes; part of
-    /// the memory for jobs, and at most a quarter of it; 0: none are kept
+    /// Memory for prepared surfaces that are kept for later jobs, so that a template is prepared only once, bytes; part
+    /// of the memory for jobs, and at most a quarter of it; 0: none are kept
     #[arg(long, env = "HOMOLOG_PREPARED_BYTES", default_value_t = 256 << 20, value_name = "BYTES")]
     pub prepared_bytes: u64,
-    /// Where computations run: in processes of their own, which can harm nothing else, or in threads of this one
+    /// Where computations run: in separate processes, which can harm nothing else, or in threads of this process
     #[arg(long, env = "HOMOLOG_ISOLATION", value_enum, default_value_t = Isolation::Process)]
     pub isolation: Isolation,
     /// File with the key that seals the secrets of webhooks in the database, 64 hexadecimal digits, the same for all
@@ -92,21 +93,22 @@ pub struct ServiceSettings {
     /// the first one encrypts, all of them decrypt; default: uploads and results are not encrypted
     #[arg(long, env = "HOMOLOG_ENCRYPTION_KEY_FILE", value_name = "FILE")]
     pub encryption_key_file: Option<PathBuf>,
-    /// Command of the shell that prints these keys instead, such as one that asks a key management service; run at each start
+    /// Shell command that prints these keys instead, for example from a key management service; run at each start
     #[arg(long, env = "HOMOLOG_ENCRYPTION_KEY_COMMAND", hide_env_values = true, value_name = "COMMAND")]
     pub encryption_key_command: Option<String>,
     /// How long a job waits before it runs again after its worker was lost, ms; five times as long after each further loss, at
     /// most a minute
     #[arg(long, env = "HOMOLOG_CRASH_PAUSE_MS", default_value_t = 1_000, value_parser = clap::value_parser!(u64).range(0..=60_000), value_name = "MS")]
     pub crash_pause_ms: u64,
-    /// Share of a tenant in the turns of all tenants whose jobs wait, as TENANT=WEIGHT; 1 unless given; repeatable
+    /// Share of a tenant in the turns of all tenants with waiting jobs, as TENANT=WEIGHT; default: 1; repeatable
     #[arg(long = "tenant-weight", env = "HOMOLOG_TENANT_WEIGHTS", value_delimiter = ',', value_name = "TENANT=WEIGHT")]
     pub tenant_weights: Vec<TenantWeight>,
-    /// Maximum number of running jobs of a tenant, in all processes together, the same setting in each; further ones wait in the
-    /// queue; default: any number
+    /// Maximum number of running jobs of a tenant, in all processes together, the same setting in each; further jobs
+    /// wait in the queue; default: any number
     #[arg(long, env = "HOMOLOG_MAX_RUNNING", value_parser = clap::value_parser!(u32).range(1..), value_name = "N")]
     pub max_running: Option<u32>,
-    /// How long smaller jobs may overtake a queued one for which not enough cores or memory are free, ms; then they wait too
+    /// How long smaller jobs may overtake a queued job for which not enough cores or memory are free, ms; then they
+    /// wait too
     #[arg(long, env = "HOMOLOG_PATIENCE_MS", default_value_t = 10_000, value_name = "MS")]
     pub patience_ms: u64,
     /// How long a worker may send no heartbeat before its jobs are taken from it, ms
@@ -151,8 +153,8 @@ pub struct ServiceSettings {
     /// Format of the log on standard error
     #[arg(long, env = "HOMOLOG_LOG_FORMAT", value_enum, default_value_t = LogFormat::Text)]
     pub log_format: LogFormat,
-    /// Base address of a collector of OpenTelemetry, to which spans of requests and jobs are sent (OTLP over HTTP, protobuf), such
-    /// as http://collector:4318; default: none are sent
+    /// Base address of an OpenTelemetry collector that receives spans of requests and jobs (OTLP over HTTP, protobuf),
+    /// such as http://collector:4318; default: none are sent
     #[arg(long, env = "HOMOLOG_OTLP_ENDPOINT", hide_env_values = true, value_parser = otlp_endpoint, value_name = "URL")]
     pub otlp_endpoint: Option<String>,
     /// Filter of the log, in the syntax of RUST_LOG
@@ -175,7 +177,7 @@ pub struct HttpSettings {
     /// Address to listen on
     #[arg(long, env = "HOMOLOG_LISTEN", default_value = "127.0.0.1:8080", value_parser = address, value_name = "ADDRESS:PORT")]
     pub listen: SocketAddr,
-    /// Serve with TLS: file with the certificate of the service and those between it and a trusted one, in PEM; read again when it
+    /// Serve with TLS: file with the service's certificate and intermediate certificates, in PEM; read again when it
     /// changes, and at SIGHUP; default: without TLS, for a proxy in front
     #[arg(long, env = "HOMOLOG_TLS_CERT", value_name = "FILE")]
     pub tls_cert: Option<PathBuf>,
@@ -194,16 +196,17 @@ pub struct HttpSettings {
     /// Issuer of tokens of an OpenID Connect provider, which are accepted beside API keys: the claim iss
     #[arg(long, env = "HOMOLOG_OIDC_ISSUER", value_name = "URL")]
     pub oidc_issuer: Option<String>,
-    /// Audience of these tokens: what the claim aud must be or contain
+    /// Audience of these tokens: the claim aud must equal or contain it
     #[arg(long, env = "HOMOLOG_OIDC_AUDIENCE", value_name = "NAME")]
     pub oidc_audience: Option<String>,
     /// Key set of the provider (JWKS): its URL, or a file; read again when a token names a key that is not in it
     #[arg(long, env = "HOMOLOG_OIDC_JWKS", value_name = "URL|FILE")]
     pub oidc_jwks: Option<String>,
-    /// Claim with the roles of the user: reader, submitter, admin, or the same with homolog- before it; dots lead into objects
+    /// Claim with the roles of the user: reader, submitter, admin, also with the prefix homolog-; dots select members
+    /// of objects
     #[arg(long, env = "HOMOLOG_OIDC_ROLE_CLAIM", default_value = "roles", value_name = "CLAIM")]
     pub oidc_role_claim: String,
-    /// Claim with the tenant of the user; default: all are of the tenant default
+    /// Claim with the tenant of the user; default: all users belong to the tenant default
     #[arg(long, env = "HOMOLOG_OIDC_TENANT_CLAIM", value_name = "CLAIM")]
     pub oidc_tenant_claim: Option<String>,
     /// How far the clocks of the provider and of this machine may differ, s
@@ -212,8 +215,8 @@ pub struct HttpSettings {
     /// Allow webhooks to private addresses, such as those of the local network
     #[arg(long, env = "HOMOLOG_ALLOW_PRIVATE_WEBHOOKS", value_parser = clap::builder::FalseyValueParser::new())]
     pub allow_private_webhooks: bool,
-    /// Refuse requests whose row of the audit log cannot be stored, with 503; otherwise they are answered, and the row is in the
-    /// log of the process
+    /// Refuse requests whose row of the audit log cannot be stored, with 503; otherwise they are answered, and the row
+    /// is written to the log of the process
     #[arg(long, env = "HOMOLOG_AUDIT_REQUIRED", value_parser = clap::builder::FalseyValueParser::new())]
     pub audit_required: bool,
     /// Pause after the first failed attempt to deliver a webhook, ms; each further pause is three times as long
@@ -301,7 +304,7 @@ fn address(text: &str) -> Result<SocketAddr, String> {
     }
     let found = text.to_socket_addrs().map_err(|error| format!("no address is found for {host}: {error}"))?;
     let found: Vec<SocketAddr> = found.collect();
-    // Of a name with addresses of both versions, such as localhost, that which every client reaches.
+    // For a name with addresses of both versions, such as localhost, the version that every client reaches.
     let usual = found.iter().find(|address| address.is_ipv4()).or(found.first());
     usual.copied().ok_or_else(|| format!("no address is found for {host}"))
 }
@@ -329,7 +332,7 @@ fn days(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Default of the memory for jobs: the rest is for the process itself, uploads and the operating system.
+/// Default of the memory for jobs: the process itself, uploads and the operating system use the rest.
 fn jobs_memory_bytes() -> u64 {
     machine::memory_bytes().map_or(u64::MAX, |bytes| bytes / 4 * 3)
 }
@@ -391,10 +394,10 @@ impl ServiceSettings {
         self.prepared_bytes.min(self.memory_for_jobs() / 4)
     }
 
-    /// How computations are isolated; `None`: not at all.
+    /// How computations are isolated; `None`: not isolated.
     ///
     /// # Errors
-    /// If the system does not tell which program this is.
+    /// If the system does not report the path of this program.
     pub fn isolation_settings(&self) -> std::io::Result<Option<IsolationSettings>> {
         if self.isolation == Isolation::None {
             return Ok(None);
@@ -451,8 +454,8 @@ impl Default for HttpSettings {
 }
 
 impl HttpSettings {
-    /// The authentication in force. `None`: other machines could use the service without authentication, and `--insecure`,
-    /// which allows that, is not set.
+    /// The effective authentication. `None`: other machines could use the service without authentication, and
+    /// `--insecure`, which allows this, is not set.
     pub fn auth_mode(&self) -> Option<AuthMode> {
         let is_local = self.listen.ip().is_loopback();
         match self.auth {
@@ -464,10 +467,10 @@ impl HttpSettings {
         }
     }
 
-    /// Where the certificates of the listener are; `None`: no TLS.
+    /// The files with the certificates of the listener; `None`: no TLS.
     ///
     /// # Errors
-    /// What is missing.
+    /// The missing setting.
     pub fn tls_files(&self) -> Result<Option<TlsFiles>, String> {
         let client_authorities = self.tls_client_ca.clone();
         match (&self.tls_cert, &self.tls_key) {
@@ -479,10 +482,10 @@ impl HttpSettings {
         }
     }
 
-    /// Which tokens are accepted beside API keys; `None`: no tokens.
+    /// The tokens that are accepted besides API keys; `None`: no tokens.
     ///
     /// # Errors
-    /// What is missing or wrong.
+    /// The missing or wrong setting.
     pub fn tokens(&self) -> Result<Option<TokenSettings>, String> {
         let (issuer, audience, jwks) = match (&self.oidc_issuer, &self.oidc_audience, &self.oidc_jwks) {
             (None, None, None) => return Ok(None),
@@ -559,9 +562,9 @@ impl HttpSettings {
         !self.listen.ip().is_loopback() && self.auth_mode() == Some(AuthMode::None)
     }
 
-    /// The host names that requests may use; `None` for any. They are restricted wherever nobody is authenticated, whatever
-    /// the address, and wherever names are given. With keys and without names, any is allowed: other machines reach the
-    /// service by names that it does not know.
+    /// The host names that requests may use; `None`: any. They are restricted where requests are not authenticated,
+    /// whatever the address, and where names are given. With keys and without names any name is allowed, because other
+    /// machines reach the service by names that it does not know.
     pub fn hosts(&self) -> Option<AllowedHosts> {
         let is_restricted = self.auth_mode() == Some(AuthMode::None) || !self.allowed_hosts.is_empty();
         let own = Some(self.listen.ip()).filter(|address| !address.is_unspecified()).map(|address| address.to_string());

@@ -1,4 +1,4 @@
-//! The `homolog` program; everything it does is in the library.
+//! The `homolog` program; all of its code is in the library.
 
 use std::process::ExitCode;
 

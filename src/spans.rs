@@ -1,11 +1,11 @@
-//! Spans of OpenTelemetry: from the request of a submission over the queue to the phases of its job, across processes.
+//! OpenTelemetry spans: from the request of a submission over the queue to the phases of its job, across processes.
 //!
-//! The context of a span travels as a `traceparent` (W3C Trace Context): with the request, with the job in the database, and with
-//! deliveries of webhooks. Whoever goes on begins children of it. Without `--otlp-endpoint` nothing is recorded, and a context is
-//! passed on as it came.
+//! The context of a span is passed on as a `traceparent` (W3C Trace Context): with the request, with the job in the
+//! database, and with deliveries of webhooks. The receiver of a context begins child spans. Without `--otlp-endpoint`
+//! nothing is recorded, and a context is passed on unchanged.
 //!
-//! Invariant: names and attributes are words of this program, ids that it made, and numbers ([`Fact`]); nothing that a client or a
-//! patient has named can be recorded.
+//! Invariant: names and attributes are constants of this program, ids that it made, and numbers ([`Fact`]); no text
+//! from a client or about a patient can be recorded.
 
 use opentelemetry::trace::{
     Span as _, SpanBuilder, SpanContext, SpanId, SpanKind, Status, TraceContextExt as _, TraceFlags, TraceId,
@@ -27,25 +27,25 @@ const FLUSH_TIMEOUT: Duration = Duration::from_secs(3);
 /// The path of spans below the endpoint.
 const TRACES: &str = "v1/traces";
 
-/// What makes spans and sends them; nothing until [`start`].
+/// Creates spans and sends them; unset until [`start`].
 static SENDING: OnceLock<(SdkTracerProvider, SdkTracer)> = OnceLock::new();
 
-/// What a span may say.
+/// The value of a span's attribute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Fact {
     /// A number.
     Number(u64),
-    /// A word of this program.
+    /// A constant of this program.
     Word(&'static str),
     /// An id that this program made.
     Id(uuid::Uuid),
 }
 
-/// Sends the spans of this process to the collector at `endpoint`, the base of its addresses. Further calls have no effect. Not
-/// to be called within a runtime.
+/// Sends the spans of this process to the collector at the base address `endpoint`. Further calls have no effect. Must
+/// not be called within a runtime.
 ///
 /// # Errors
-/// If `endpoint` is no HTTP address, or the client cannot be made.
+/// If `endpoint` is not an HTTP address, or the client cannot be created.
 pub fn start(endpoint: &str) -> Result<(), String> {
     if SENDING.get().is_some() {
         return Ok(());
@@ -71,17 +71,17 @@ pub fn start(endpoint: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Sends the spans that have ended and were not sent yet, for a limited time. Not to be called within a runtime.
+/// Sends the spans that have ended and were not sent yet, for a limited time. Must not be called within a runtime.
 pub fn finish() {
     if let Some((provider, _)) = SENDING.get() {
         let _ = provider.shutdown_with_timeout(FLUSH_TIMEOUT);
     }
 }
 
-/// Where spans go, below this endpoint.
+/// The URL below this endpoint that receives spans.
 ///
 /// # Errors
-/// If it is no HTTP address.
+/// If `endpoint` is not an HTTP address.
 pub(crate) fn traces_url(endpoint: &str) -> Result<String, String> {
     let url = url::Url::parse(endpoint).ok().filter(|url| ["http", "https"].contains(&url.scheme()) && url.has_host());
     let url =
@@ -89,7 +89,7 @@ pub(crate) fn traces_url(endpoint: &str) -> Result<String, String> {
     Ok(format!("{}/{TRACES}", url.as_str().trim_end_matches('/')))
 }
 
-/// Sends spans, and logs once when that begins to fail and once when it works again.
+/// Sends spans. Logs once when sending begins to fail, and once when it works again.
 #[derive(Debug)]
 struct Watched {
     exporter: opentelemetry_otlp::SpanExporter,
@@ -113,12 +113,12 @@ impl SpanExporter for Watched {
     }
 }
 
-/// A span; dropping it ends it. Nothing if spans are not sent.
+/// A span, which ends when dropped. Empty if spans are not sent.
 #[derive(Debug, Default)]
 pub(crate) struct Span(Option<opentelemetry_sdk::trace::Span>);
 
 impl Span {
-    /// The span of a request. `method` and `route` are those of metrics: from closed sets.
+    /// The span of a request. `method` and `route` are the labels of metrics, from closed sets.
     pub(crate) fn of_request(method: &'static str, route: &str, parent: Option<&str>) -> Self {
         let Some((_, tracer)) = SENDING.get() else { return Span(None) };
         let attributes = [KeyValue::new("http.request.method", method), KeyValue::new("http.route", route.to_owned())];
@@ -126,22 +126,22 @@ impl Span {
         Span(Some(begin(tracer, builder.with_attributes(attributes), parent)))
     }
 
-    /// The run of a job, which waited in a queue.
+    /// The span of the run of a job that waited in a queue.
     pub(crate) fn of_job(parent: Option<&str>) -> Self {
         Span::new("run job", SpanKind::Consumer, parent, None)
     }
 
-    /// An attempt to send an event to its receiver.
+    /// The span of an attempt to send an event to its receiver.
     pub(crate) fn of_delivery(parent: Option<&str>) -> Self {
         Span::new("deliver webhook", SpanKind::Client, parent, None)
     }
 
-    /// A part of what another span does.
+    /// The span of a part of another span's work.
     pub(crate) fn part(name: &'static str, parent: Option<&str>) -> Self {
         Span::new(name, SpanKind::Internal, parent, None)
     }
 
-    /// A part that began earlier.
+    /// The span of a part that began earlier.
     pub(crate) fn part_since(name: &'static str, parent: Option<&str>, began: SystemTime) -> Self {
         // Times of the database's clock may be ahead of this machine's.
         Span::new(name, SpanKind::Internal, parent, Some(began.min(SystemTime::now())))
@@ -154,7 +154,7 @@ impl Span {
         Span(Some(begin(tracer, builder, parent)))
     }
 
-    /// Its context, for children in this or another process; nothing if spans are not sent.
+    /// The context of the span, for children in this or another process; `None` if spans are not sent.
     pub(crate) fn traceparent(&self) -> Option<String> {
         let context = self.0.as_ref()?.span_context();
         Some(format!("00-{}-{}-{:02x}", context.trace_id(), context.span_id(), context.trace_flags()))
@@ -171,7 +171,7 @@ impl Span {
         span.set_attribute(KeyValue::new(key, value));
     }
 
-    /// Marks it as failed.
+    /// Marks the span as failed.
     pub(crate) fn fail(&mut self) {
         if let Some(span) = &mut self.0 {
             span.set_status(Status::error(""));

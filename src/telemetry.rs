@@ -25,7 +25,7 @@ pub fn start(format: LogFormat, filter: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Logs panics with their location only: their message may contain data of a patient.
+/// Logs panics with their location only, because their message may contain patient data.
 fn log_panics() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(ToString::to_string);
@@ -45,7 +45,7 @@ enum Kind {
     Histogram,
 }
 
-/// Every metric of this program, with what its HELP says. On Linux, the usual ones of the process are added, such as
+/// Every metric of this program, with its HELP text. On Linux the usual process metrics are added, such as
 /// `process_open_fds`.
 const METRICS: &[(&str, Kind, &str)] = &[
     ("homolog_build_info", Kind::Gauge, "1, with the version of the program"),
@@ -86,7 +86,7 @@ fn describe() {
     metrics_process::Collector::default().describe();
     let labels = [("version", env!("CARGO_PKG_VERSION")), ("commit", env!("HOMOLOG_COMMIT"))];
     metrics::gauge!("homolog_build_info", &labels).set(1.0);
-    // An increase can be seen only of a series that was there before.
+    // An increase is visible only in a series that already exists.
     for end in ["succeeded", "failed", "cancelled", "given back", "lease lost", "not stored"] {
         metrics::counter!("homolog_jobs_finished_total", "end" => end).increment(0);
     }

@@ -1,5 +1,5 @@
-//! TLS: the one provider of cryptography of the process, and certificates from files for the listener, which are read again when
-//! they change.
+//! TLS: the one cryptography provider of the process, and the listener's certificates from files, which are read again
+//! when they change.
 
 use rustls::pki_types::pem::PemObject as _;
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
@@ -12,24 +12,24 @@ use std::time::Duration;
 /// How often the files are read again.
 const BETWEEN_READS: Duration = Duration::from_secs(2);
 
-/// Installs the provider, before the first TLS client is created. May be called any number of times.
+/// Installs the provider. Must be called before the first TLS client is created; may be called any number of times.
 pub fn prepare() {
-    // An error means that it is installed already.
+    // An error means that the provider is already installed.
     let _ = rustls::crypto::ring::default_provider().install_default();
 }
 
-/// Where the certificates of the listener are: files in PEM.
+/// The files of the listener's certificates, in PEM.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TlsFiles {
-    /// The certificate of the service, and those between it and a trusted one.
+    /// The certificate of the service and intermediate certificates.
     pub certificates: PathBuf,
-    /// Its private key.
+    /// The private key of the certificate.
     pub key: PathBuf,
-    /// The authorities one of which must have signed a client's certificate; without it clients need none.
+    /// Authorities, one of which must have signed a client's certificate; `None`: clients need no certificate.
     pub client_authorities: Option<PathBuf>,
 }
 
-/// What the files contained when they were last read.
+/// The contents of the files when they were last read.
 struct Read {
     content: Vec<Vec<u8>>,
     config: Arc<ServerConfig>,
@@ -42,7 +42,7 @@ pub struct ServerTls {
 }
 
 impl ServerTls {
-    /// With the certificates in these files.
+    /// Opens the certificates in these files.
     ///
     /// # Errors
     /// Which file cannot be used, and why.
@@ -52,15 +52,15 @@ impl ServerTls {
         Ok(Arc::new(ServerTls { files, current: Mutex::new(Read { content, config }) }))
     }
 
-    /// For the next connection.
+    /// The configuration for the next connection.
     pub fn config(&self) -> Arc<ServerConfig> {
         Arc::clone(&self.current.lock().unwrap_or_else(PoisonError::into_inner).config)
     }
 
-    /// Reads the files again. Returns whether they have changed; open connections go on with what they began with.
+    /// Reads the files again. Returns whether they have changed; open connections keep their certificates.
     ///
     /// # Errors
-    /// As for [`ServerTls::open`]; then the certificates stay as they were.
+    /// As for [`ServerTls::open`]; the earlier certificates then stay.
     pub fn reload(&self) -> Result<bool, String> {
         let content = content(&self.files)?;
         if content == self.current.lock().unwrap_or_else(PoisonError::into_inner).content {
@@ -87,7 +87,7 @@ impl ServerTls {
                 Ok(Err(fault)) => Some(fault),
                 Err(error) => Some(error.to_string()),
             };
-            // Once for each fault: half-written files are read again soon.
+            // Logged once for each fault: half-written files are read again soon.
             if let Some(error) = fault.as_ref().filter(|_| fault != last_fault) {
                 tracing::warn!(error, "the certificates cannot be read again; the earlier ones are used");
             }
@@ -96,7 +96,7 @@ impl ServerTls {
     }
 }
 
-/// What the reader of the files waits for: some time, or SIGHUP, also one that came while it was reading.
+/// The next occasion to read the files: after some time, or at SIGHUP, including a signal that arrived during a read.
 struct Occasion {
     #[cfg(unix)]
     hangup: Option<tokio::signal::unix::Signal>,

@@ -52,7 +52,7 @@ class Server:
                 return answer.read()
         except urllib.error.HTTPError as error:
             body = error.read()
-            # Too many requests and a busy idempotency key pass.
+            # Timeouts, a busy idempotency key and too many requests are temporary, so these requests are repeated.
             if 400 <= error.code < 500 and error.code not in (408, 409, 425, 429):
                 raise Refused(error.code, body) from None
             raise OSError(f"{method} {path.split('?')[0]}: status {error.code}") from None
@@ -91,7 +91,7 @@ class Bridge:
     def step(self):
         """One round. Returns whether there is more to do at once."""
         more = self.find()
-        # One that fails again and again does not keep the others from theirs.
+        # An instance that fails again and again does not delay the others.
         for instance in list(self.state.waiting):
             self.attempt(self.submit, instance)
         for instance, job in list(self.state.running.items()):
@@ -107,7 +107,7 @@ class Bridge:
     def find(self):
         """New segmentations, from where the last round ended."""
         if self.orthanc.json("/changes?last")["Last"] < self.state.since:
-            # Another database: its changes are counted from the start.
+            # Orthanc has another database, whose changes are numbered from the start.
             self.state.since = 0
         page = self.orthanc.json(f"/changes?since={self.state.since}&limit=100")
         known = {*self.state.waiting, *self.state.running}
@@ -167,7 +167,7 @@ class Bridge:
         try:
             document = self.homolog.json(f"/v1/jobs/{job}")
         except Refused:
-            # The job is gone, for example after its database was lost: it is submitted again.
+            # The job no longer exists, for example because its database was lost, so it is submitted again.
             del self.state.running[instance]
             self.state.waiting.append(instance)
             return self.state.save()
@@ -245,7 +245,7 @@ def main():
         try:
             more = bridge.step()
         except (OSError, ValueError, Refused) as error:
-            # One of the two does not answer, or restarts.
+            # Orthanc or homolog does not answer, for example during a restart.
             complain(error)
         if not more:
             time.sleep(options.every_s)

@@ -1,7 +1,8 @@
 //! `homolog migrate`, `homolog keys`, `homolog purge`: administration of the database of a service.
 //!
-//! Only `migrate` and `keys create --init` create a database. The other commands refuse a data directory without one, and
-//! leave it as it is: most often `--data-dir` or `HOMOLOG_DATA_DIR` is not the one that the service uses.
+//! Only `migrate` and `keys create --init` create a database. The other commands refuse a data directory without a
+//! database and do not change it: usually `--data-dir` or `HOMOLOG_DATA_DIR` names another directory than the
+//! service's.
 
 use super::error::CliError;
 use super::output::{note, print};
@@ -17,7 +18,7 @@ use std::time::{Duration, Instant};
 
 /// Rows purged in one transaction.
 const PURGED_AT_ONCE: u32 = 1000;
-/// How long a command tries to overwrite what was deleted.
+/// How long a command tries to overwrite deleted content.
 const OVERWRITTEN_WITHIN: Duration = Duration::from_secs(10);
 
 /// Create the database, or bring its schema up to date, and exit
@@ -45,16 +46,16 @@ enum KeysAction {
         /// default: submitter
         #[arg(long, value_name = "ROLE", conflicts_with = "scope")]
         role: Option<String>,
-        /// What the key allows, separated by commas, where no role fits: read, submit, admin
+        /// Scopes of the key, separated by commas, where no role fits: read, submit, admin
         #[arg(long, value_delimiter = ',', value_name = "SCOPES")]
         scope: Vec<String>,
         /// Days until the key expires; absent: it does not expire
         #[arg(long, value_parser = clap::value_parser!(u64).range(1..=36_500), value_name = "DAYS")]
         expires_days: Option<u64>,
-        /// Note to tell the key by, shown by `keys list`
+        /// Note by which to recognize the key, shown by `keys list`
         #[arg(long, default_value = "")]
         name: String,
-        /// Create the database first if the data directory has none, as for a service that has not been started yet
+        /// Create the database first if the data directory has none, for a service that has not been started yet
         #[arg(long)]
         init: bool,
         #[command(flatten)]
@@ -80,7 +81,7 @@ pub(super) struct PurgeArgs {
     /// Only count what would be deleted
     #[arg(long)]
     dry_run: bool,
-    /// Believe the clock of the database although it has jumped since the service last saw it, from now on
+    /// Trust the clock of the database from now on, although it has jumped since the service last saw it
     #[arg(long)]
     trust_clock: bool,
     #[command(flatten)]
@@ -147,7 +148,7 @@ pub(super) fn keys(args: &KeysArgs) -> Result<(), CliError> {
         }
         KeysAction::Revoke { id, service } => {
             require_database(service)?;
-            // The whole key, as its owner has it, is taken as well, and its secret is not repeated.
+            // The whole key is accepted too; its secret is not printed.
             let id = SecretKey::parse(id).map_or_else(|| id.clone(), |key| key.id().to_owned());
             with_store(service, async |store| {
                 if store.revoke_key(&id).await? {
@@ -179,7 +180,7 @@ fn line(key: &ApiKey) -> String {
     format!("{id}\t{tenant}\t{role}\t{}\t{state}\t{}\t{expires}\t{name}", scopes.join(","), key.created_at)
 }
 
-/// Deletes what is past its retention time.
+/// Deletes results and records past their retention time.
 pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
     require_database(&args.service)?;
     let artifacts = app::open_artifacts(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
@@ -220,7 +221,7 @@ pub(super) fn purge(args: &PurgeArgs) -> Result<(), CliError> {
     })
 }
 
-/// Overwrites what deletions have left in the files of the database; tries again while others read it.
+/// Overwrites deleted content in the files of the database; tries again while others read it.
 pub(super) async fn overwrite_deleted(store: &SqlStore) -> Result<(), JobError> {
     let began = Instant::now();
     while !store.overwrite_deleted().await? {
@@ -247,7 +248,8 @@ pub(super) fn require_database(settings: &ServiceSettings) -> Result<(), CliErro
     )))
 }
 
-/// Records what a command has changed. Commands have no tenant and no key: whoever may read the database may run them.
+/// Records a change by a command in the audit log. Commands have no tenant and no key: everybody who can read the
+/// database can run them.
 pub(super) async fn record(
     store: &SqlStore,
     action: &str,

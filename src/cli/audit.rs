@@ -1,4 +1,4 @@
-//! `homolog audit`: the audit log is exported, and verified.
+//! `homolog audit`: exports and verifies the audit log.
 
 use super::admin::{overwrite_deleted, require_database, with_store};
 use super::error::CliError;
@@ -32,7 +32,8 @@ enum AuditAction {
         #[command(flatten)]
         service: Box<ServiceSettings>,
     },
-    /// Remove the rows before a time, after an export; the rest can still be verified, because the place is recorded in it
+    /// Remove the rows before a time, after an export; the log records the place, so the remaining rows can still be
+    /// verified
     Prune {
         /// Date, such as 2026-01-31, or time, such as 2026-01-31T12:00:00Z; a date begins at midnight UTC
         #[arg(long, value_parser = time, value_name = "TIME")]
@@ -40,10 +41,10 @@ enum AuditAction {
         #[command(flatten)]
         service: Box<ServiceSettings>,
     },
-    /// Check that no row was changed, removed or inserted, and print the position and hash of the last one
+    /// Check that no row was changed, removed or inserted, and print the position and hash of the last row
     Verify {
-        /// Position and hash of a row as an earlier verification printed them: also find out whether the log was cut off
-        /// before that row, or written anew; repeatable
+        /// Position and hash of a row as printed by an earlier verification: also check that the log was not cut off
+        /// before that row or rewritten; repeatable
         #[arg(long, value_parser = noted, value_name = "POSITION:HASH")]
         expect: Vec<AuditHead>,
         /// Check this file, which `homolog audit export` has written from the first row on, instead of the database
@@ -70,7 +71,7 @@ pub(super) fn run(args: &AuditArgs) -> Result<(), CliError> {
         AuditAction::Export { after, service } => {
             require_database(service)?;
             with_store(service, async |store| {
-                // Rows that are being pruned are none of the log any more.
+                // Rows that are being pruned no longer belong to the log.
                 let mut after = store.audit_anchor().await?.position.max(*after);
                 loop {
                     let rows = store.list_audit(after, PAGE).await?;
@@ -106,7 +107,7 @@ pub(super) fn run(args: &AuditArgs) -> Result<(), CliError> {
                 let mut after = anchor.position;
                 let mut verifier = Verifier::after(anchor.clone());
                 expect.iter().cloned().for_each(|head| verifier.expect(head));
-                // Before the rows: those that are appended meanwhile come after it.
+                // Read before the rows, because rows that are appended in the meantime follow it.
                 verifier.expect(store.audit_head().await?);
                 loop {
                     let rows = store.list_audit(after, PAGE).await?;
@@ -134,7 +135,7 @@ fn rows_of(path: &Path) -> Result<impl Iterator<Item = Result<AuditRow, CliError
     }))
 }
 
-/// Where an exported log begins: after the row up to which it was pruned, as one of its rows says.
+/// Where an exported log begins: after the last pruned row, which one of its rows records.
 fn beginning_of(path: &Path) -> Result<AuditHead, CliError> {
     let mut rows = rows_of(path)?;
     let first = rows.next().transpose()?.map_or(1, |row| row.position);

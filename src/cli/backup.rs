@@ -19,7 +19,7 @@ pub(super) struct BackupArgs {
     service: ServiceSettings,
 }
 
-/// Restore a back-up into a data directory that is empty but for secret.key, and compare every file with its hash
+/// Restore a back-up into a data directory that is empty except for secret.key, and compare every file with its hash
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct RestoreArgs {
     /// Folder of the back-up
@@ -62,7 +62,7 @@ pub(super) fn back_up(args: &BackupArgs) -> Result<(), CliError> {
     refuse_servers(&args.service)?;
     require_database(&args.service)?;
     with_store(&args.service, async |store| {
-        // It is a read of everything.
+        // Recorded, because a back-up reads everything.
         record(store, "back_up", None, None).await?;
         let keyring = app::open_keyring(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
         let manifest = backup::back_up(store, &args.service.data_dir, &args.dir, keyring).await?;
@@ -82,7 +82,7 @@ pub(super) fn restore(args: &RestoreArgs) -> Result<(), CliError> {
         restored = async {
             let keyring = app::open_keyring(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
             let manifest = backup::restore(&args.dir, &args.service.data_dir, keyring).await?;
-            // Without the key of secrets, which would be created: the operator has a copy of it.
+            // Opened without the key of secrets, which would otherwise be created: the operator has a copy of it.
             let store = SqlStore::open(&args.service.database(1)).await?;
             record(&store, "restore", None, None).await?;
             store.close().await;

@@ -1,5 +1,5 @@
-//! Names of labels that stand in a file beside a volume: label descriptions of ITK-SNAP, as ASHS writes them, and color tables of
-//! 3D Slicer (`.ctbl`) and FreeSurfer.
+//! Label names from a file beside a volume: label descriptions of ITK-SNAP, as ASHS writes them, and color tables of 3D
+//! Slicer (`.ctbl`) and FreeSurfer.
 
 use super::output::note;
 use homolog_contract::parameters::{InputParameters, LabelChoice, MatchParameters};
@@ -8,24 +8,24 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Endings of a file that has the name of the volume.
+/// Extensions of a companion file with the name of the volume.
 const ENDINGS: [&str; 5] = ["ctbl", "txt", "label", "labels", "ctab"];
-/// Names that such a file has beside any volume.
+/// Names of companion files that may stand beside any volume.
 const NAMES: [&str; 1] = ["snaplabels.txt"];
-/// Extensions of volumes; what is before them is the name.
+/// Extensions of volumes; the name of the volume precedes them.
 const OF_VOLUMES: [&str; 11] =
     [".seg.nrrd", ".nii.gz", ".nii", ".mgz", ".mgh.gz", ".mgh", ".nrrd", ".nhdr", ".mha.gz", ".mha", ".mhd"];
-/// Longest such file, bytes: that of FreeSurfer, which has all its labels, is a tenth of it.
+/// Longest companion file, bytes; FreeSurfer's file of all its labels is a tenth of this.
 const MAX_BYTES: u64 = 1 << 20;
 
-/// Names of labels and the file that has them.
+/// Label names and the file that contains them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Companion {
     pub(super) path: PathBuf,
     pub(super) names: BTreeMap<u32, String>,
 }
 
-/// The file with names of labels beside a volume, if there is one.
+/// The file with label names beside a volume, if it exists.
 pub(super) fn companion(volume: &Path) -> Option<Companion> {
     let file = volume.file_name()?.to_str()?;
     let lower = file.to_lowercase();
@@ -40,8 +40,8 @@ pub(super) fn companion(volume: &Path) -> Option<Companion> {
     })
 }
 
-/// The names in a table: rows of a number, six numbers and a name in quotation marks (ITK-SNAP), or of a number, a name and a
-/// color (3D Slicer, FreeSurfer). Other lines are none of it; 0 is the background.
+/// The names in a table: rows of a number, six numbers and a name in quotation marks (ITK-SNAP), or of a number, a name
+/// and a color (3D Slicer, FreeSurfer). Other lines are skipped; 0 is the background.
 fn table(text: &str) -> BTreeMap<u32, String> {
     let row = |line: &str| {
         let line = line.trim();
@@ -58,7 +58,7 @@ fn table(text: &str) -> BTreeMap<u32, String> {
     text.lines().filter_map(row).collect()
 }
 
-/// The parameters with the labels of each input by number, where a file beside it has their names.
+/// The parameters with the labels of each input by number, where a companion file has their names.
 pub(super) fn with_numbers(parameters: &MatchParameters, [source, target]: [&Path; 2]) -> MatchParameters {
     let mut found = parameters.clone();
     found.input.source.labels = numbers(&parameters.input.of_source(), source).or(found.input.source.labels);
@@ -66,7 +66,7 @@ pub(super) fn with_numbers(parameters: &MatchParameters, [source, target]: [&Pat
     found
 }
 
-/// The labels of one input, by number where a file beside it has their names; `None` if none of them is there.
+/// The labels of one input, by number where a companion file has their names; `None` if the file has none of them.
 pub(super) fn numbers(input: &InputParameters, volume: &Path) -> Option<Vec<LabelChoice>> {
     let labels = input.labels.as_ref().filter(|l| l.iter().any(|l| matches!(l, LabelChoice::Name(_))))?;
     let Companion { path, names } = companion(volume)?;

@@ -1,5 +1,5 @@
-//! `homolog config`, and where settings come from: the configuration file, the environment and the command line, each going
-//! before the one named first.
+//! `homolog config`, and the sources of settings: the command line overrides the environment, which overrides the
+//! configuration file.
 
 use super::error::CliError;
 use super::output::print;
@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 /// The setting that names the file; it is not in the file.
 const CONFIG: &str = "config";
-/// What is printed in place of a secret.
+/// Printed in place of a secret.
 const MASK: &str = "***";
 
 /// Print every setting with its value and where the value comes from, secrets masked, in the form of a configuration file
@@ -26,7 +26,7 @@ pub(super) struct ConfigArgs {
     worker: WorkerEnd,
 }
 
-/// Whether an argument is a setting of the service: those have variables in the environment.
+/// Whether an argument is a setting of the service: settings have variables in the environment.
 pub(super) fn is_setting(argument: &Arg) -> bool {
     let variable = argument.get_env().and_then(std::ffi::OsStr::to_str);
     argument.get_id() != CONFIG && variable.is_some_and(|name| name.starts_with("HOMOLOG_"))
@@ -37,7 +37,7 @@ fn reads_file(command: &Command) -> bool {
     command.get_arguments().any(|argument| argument.get_id() == CONFIG)
 }
 
-/// The names of all settings: those of `homolog config`, which has them all.
+/// The names of all settings, taken from `homolog config`, which has them all.
 fn known(program: &Command) -> Vec<String> {
     let config = program.find_subcommand(CONFIG);
     let settings = config.into_iter().flat_map(Command::get_arguments).filter(|argument| is_setting(argument));
@@ -51,12 +51,13 @@ pub(super) fn variables(program: &Command) -> Vec<String> {
     all.map(str::to_owned).collect()
 }
 
-/// The matches of the command that was given last, such as `keys create`.
+/// The matches of the innermost subcommand, such as `keys create`.
 fn innermost(matches: &ArgMatches) -> &ArgMatches {
     matches.subcommand().map_or(matches, |(_, matches)| innermost(matches))
 }
 
-/// The arguments, completed with the settings of the configuration file that they or the environment name, and those settings.
+/// The arguments, completed with the settings of the configuration file that they or the environment name, and those
+/// settings.
 ///
 /// # Errors
 /// A usage error, or why the file is refused.
@@ -65,7 +66,7 @@ pub(super) fn parse(program: &Command, arguments: &[OsString]) -> Result<(ArgMat
     let path = innermost(&matches).try_get_one::<PathBuf>(CONFIG).ok().flatten().cloned();
     let Some(path) = path else { return Ok((matches, FileSettings::new())) };
     let settings = file::read(&path, &known(program)).map_err(|error| Refused::File(error.to_string()))?;
-    // What was fine without the file is refused because of it.
+    // The arguments alone were accepted, so the file causes a refusal here.
     let matches = with_defaults(program.clone(), &settings).try_get_matches_from(arguments);
     let matches = matches.map_err(|error| Refused::File(format!("{}: {}", path.display(), first_line(&error))))?;
     Ok((matches, settings))
@@ -73,9 +74,9 @@ pub(super) fn parse(program: &Command, arguments: &[OsString]) -> Result<(ArgMat
 
 /// Why arguments are refused.
 pub(super) enum Refused {
-    /// By the rules of the command line; help and version are refusals too.
+    /// The command line is invalid; help and version are refusals too.
     Usage(clap::Error),
-    /// Because of the configuration file.
+    /// The configuration file is invalid.
     File(String),
 }
 
@@ -84,8 +85,8 @@ fn first_line(error: &clap::Error) -> String {
     text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
 }
 
-/// The program, with the values of a file in place of the defaults of its settings: the environment and the command line go
-/// before defaults.
+/// The program, with the values of a file in place of the defaults of its settings. The environment and the command
+/// line override defaults.
 fn with_defaults(command: Command, settings: &FileSettings) -> Command {
     let command = command.mut_subcommands(|command| with_defaults(command, settings));
     if !reads_file(&command) {
@@ -114,7 +115,7 @@ pub(super) fn run(program: &Command, matches: &ArgMatches, file: &FileSettings) 
             };
             match values(argument, matches) {
                 None => format!("# {name} = {:<width$} # {source}", "", width = 46usize.saturating_sub(name.len() + 2)),
-                // Not a line that could be used.
+                // A masked value is commented out, because it cannot be used.
                 Some(value) if value.contains(MASK) => format!("{:<48} # {source}", format!("# {name} = {value}")),
                 Some(value) => format!("{:<48} # {source}", format!("{name} = {value}")),
             }

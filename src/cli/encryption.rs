@@ -1,4 +1,4 @@
-//! `homolog encryption`: everything that is stored is encrypted with the current key.
+//! `homolog encryption`: encrypts all stored data with the current key.
 
 use super::admin::{record, require_database, with_store};
 use super::error::CliError;
@@ -16,10 +16,10 @@ pub(super) struct EncryptionArgs {
 
 #[derive(Debug, Clone, clap::Subcommand)]
 enum EncryptionAction {
-    /// Encrypt the key of each upload and result, and each secret, with the first of the given keys, also what was stored before there
-    /// was one; the service may run meanwhile
+    /// Encrypt the key of each upload and result, and each secret, with the first of the given keys, including data
+    /// stored unencrypted; the service may run at the same time
     Rotate {
-        /// Only count what would be done
+        /// Only count the changes
         #[arg(long)]
         dry_run: bool,
         #[command(flatten)]

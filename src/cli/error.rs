@@ -7,7 +7,7 @@ use std::process::ExitCode;
 /// Why a command failed.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum CliError {
-    /// Bad input: a file, a parameter, a surface that is refused. Exit code 2, like a usage error.
+    /// Bad input: a file, a parameter, or a refused surface. Exit code 2, like a usage error.
     #[error("{0}")]
     BadInput(String),
     /// Any other failure. Exit code 1.
@@ -18,7 +18,7 @@ pub(super) enum CliError {
     Write {
         /// The file or folder.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         source: io::Error,
     },
     /// Ctrl-C or SIGTERM. Exit code 130, as shells expect.

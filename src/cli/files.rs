@@ -8,8 +8,8 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The bytes of an input; a file that is too large is refused before it is read. The DICOM files of a folder are read as a
-/// zip archive of them, as the service takes it.
+/// The bytes of an input; a file that is too large is refused before it is read. The DICOM files of a folder are read
+/// as a zip archive, the form that the service accepts.
 pub(super) fn read_input(path: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, CliError> {
     let unreadable = |error: io::Error| CliError::BadInput(format!("cannot read {}: {error}", path.display()));
     let metadata = fs::metadata(path).map_err(unreadable)?;
@@ -27,7 +27,7 @@ pub(super) fn read_input(path: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, 
     fs::read(path).map_err(unreadable)
 }
 
-/// The DICOM files of a folder and its folders, in one archive.
+/// The DICOM files of a folder and its subfolders, in one archive.
 fn read_folder(folder: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, CliError> {
     let unreadable = |path: &Path, e: io::Error| CliError::BadInput(format!("cannot read {}: {e}", path.display()));
     let (mut files, mut left) = (Vec::new(), limits.max_bytes as u64);
@@ -36,7 +36,7 @@ fn read_folder(folder: &Path, limits: &IntakeLimits) -> Result<Vec<u8>, CliError
         for entry in fs::read_dir(&at).map_err(|e| unreadable(&at, e))? {
             let entry = entry.map_err(|e| unreadable(&at, e))?;
             let path = entry.path();
-            // Links to folders could lead round in circles.
+            // Links to folders could form a cycle.
             if entry.file_type().map_err(|e| unreadable(&path, e))?.is_dir() {
                 folders.push(path);
                 continue;
@@ -79,13 +79,13 @@ pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), CliError> {
         fs::rename(&unfinished, path)
     })();
     written.map_err(|error| {
-        // The write has failed already; a leftover temporary file is harmless.
+        // The write has already failed; a leftover temporary file is harmless.
         let _ = fs::remove_file(&unfinished);
         CliError::write(path, error)
     })
 }
 
-/// Fails if no file can be created in a folder, so that this is said before a computation and not after it.
+/// Fails if no file can be created in a folder, so that the error is reported before a computation and not after it.
 pub(super) fn check_writable(folder: &Path) -> Result<(), CliError> {
     let tried = folder.join(format!(".homolog.{}.tmp", std::process::id()));
     fs::File::create(&tried).and_then(|_| fs::remove_file(&tried)).map_err(|e| CliError::write(folder, e))

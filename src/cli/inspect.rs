@@ -1,5 +1,5 @@
-//! `homolog inspect FILE`: what a file holds, on one screen: its labels, the surface that would be made of it, and whether a match
-//! would take it.
+//! `homolog inspect FILE`: the contents of a file on one screen: its labels, the surface that a match would use, and
+//! whether a match would accept it.
 
 use super::companions::{companion, numbers};
 use super::error::CliError;
@@ -15,9 +15,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Most labels that a screen shows.
+/// Most labels shown on a screen.
 const MAX_LABELS: usize = 30;
-/// Most characters of a name that a screen shows.
+/// Longest name shown on a screen, characters.
 const MAX_NAME: usize = 32;
 
 /// Show format, labels, topology and repairs of a surface or label volume
@@ -56,7 +56,7 @@ pub(super) fn run(args: &InspectArgs) -> Result<(), CliError> {
     if args.json {
         return print_json(&report);
     }
-    // The report has the parameters of an API request; a terminal gets the option that sets them.
+    // The report names parameters of an API request; on a terminal they are replaced by the options that set them.
     if let Some(refusal) = &mut report.refusal
         && let Err(error) = prepare_surface(&bytes, name, &input, &limits)
     {

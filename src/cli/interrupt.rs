@@ -1,4 +1,4 @@
-//! Ctrl-C and SIGTERM: the first stops the computation at its next check, the second exits at once.
+//! Ctrl-C and SIGTERM: the first signal stops the computation at its next check, the second exits at once.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

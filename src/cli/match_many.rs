@@ -29,7 +29,7 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
         let advice = "--html is for one pair; --out DIR writes a report.html for each";
         return Err(CliError::BadInput(advice.to_owned()));
     }
-    // Before the first computation, which may be long before the last.
+    // Checked before the first computation, which may be long before the last.
     for target in &args.targets {
         std::fs::metadata(target).map_err(|e| CliError::BadInput(format!("cannot read {}: {e}", target.display())))?;
     }
@@ -91,22 +91,22 @@ fn one(
     Ok(output.document)
 }
 
-/// A target and what became of it.
+/// A target and its outcome.
 struct Row {
     target: PathBuf,
     name: String,
     done: Result<Box<ResultDocument>, String>,
 }
 
-/// A name for the folder of each target: its file name without extensions, with the folder before it where files of several
-/// folders have the same name, and a number where that does not tell them apart either.
+/// A folder name for each target: its file name without extensions. Where targets of several folders share a file name,
+/// the name of the folder precedes it, and where that is not unique either, a number is added.
 fn names(targets: &[PathBuf]) -> Vec<String> {
     let stem = |path: &Path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let stem = name.split('.').find(|part| !part.is_empty()).unwrap_or("target");
         stem.to_owned()
     };
-    // Those of FreeSurfer have their meaning after the dot.
+    // In names of FreeSurfer the part after the dot carries the meaning.
     let whole = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let with_folder = |path: &Path| match path.parent().and_then(Path::file_name) {
         Some(folder) => format!("{}-{}", folder.to_string_lossy(), stem(path)),
@@ -123,7 +123,7 @@ fn names(targets: &[PathBuf]) -> Vec<String> {
     targets.iter().zip(1..).map(|(path, k)| format!("{k}-{}", stem(path))).collect()
 }
 
-/// What a verdict is in one word.
+/// A verdict in one word.
 fn word(document: &ResultDocument) -> &'static str {
     match document.verdict().reliable {
         Some(true) => "reliable",
@@ -154,7 +154,7 @@ fn table(rows: &[Row]) -> String {
     let n_reliable =
         rows.iter().filter_map(|row| row.done.as_ref().ok()).filter(|document| word(document) == "reliable");
     let _ = write!(text, "\n{} of {} reliable", n_reliable.count(), rows.len());
-    // What to do next, once for each reason.
+    // Advice, once for each reason.
     let mut explained = Vec::new();
     for reason in rows.iter().filter_map(|row| row.done.as_ref().ok()).flat_map(|document| document.verdict().reasons) {
         if !explained.contains(&reason) {

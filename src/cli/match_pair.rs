@@ -35,15 +35,15 @@ use std::time::Instant;
 
 /// Match surfaces: compute the dense correspondence and the rigid transform
 ///
-/// With one target, the verdict and the numbers of the pair are printed. With several targets the source, such as a
-/// template, is matched to each of them, so that the rows of all answers are the vertices of the source; a table with a line
+/// With one target, the verdict and the numbers of the pair are printed. With several targets, the source, such as a
+/// template, is matched to each target, so the rows of all answers are the vertices of the source; a table with a line
 /// for each target is printed.
 #[derive(Debug, Clone, Args)]
 pub(super) struct MatchArgs {
     /// Source: the surface that is moved; a surface (GIFTI, FreeSurfer, PLY, STL, VTK, VTP, OBJ, OFF, MZ3) or a label volume
     /// (NIfTI, MGZ, NRRD, MetaImage, DICOM SEG)
     pub(super) source: PathBuf,
-    /// Target: the surface that stays in place; or several, to each of which the source is matched
+    /// Target: the surface that stays in place; with several targets, the source is matched to each of them
     #[arg(required = true, value_name = "TARGET")]
     pub(super) targets: Vec<PathBuf>,
     #[command(flatten)]
@@ -59,13 +59,14 @@ pub(super) struct MatchArgs {
     /// UID of the DICOM study for transform.dcm and warped.dcm, if neither input is a DICOM object
     #[arg(long, value_name = "UID", requires = "out")]
     pub(super) study_uid: Option<Uid>,
-    /// UID of the frame of reference of the source, if it is no DICOM object
+    /// UID of the frame of reference of the source, if it is not a DICOM object
     #[arg(long, value_name = "UID", requires = "out")]
     pub(super) source_frame_uid: Option<Uid>,
-    /// UID of the frame of reference of the target, if it is no DICOM object
+    /// UID of the frame of reference of the target, if it is not a DICOM object
     #[arg(long, value_name = "UID", requires = "out")]
     pub(super) target_frame_uid: Option<Uid>,
-    /// File for a page with the verdict, both surfaces to turn with the mouse, and all numbers; it contains no file names
+    /// File for a page with the verdict, both surfaces to rotate with the mouse, and all numbers; it contains no file
+    /// names
     #[arg(long, value_name = "PAGE.html")]
     pub(super) html: Option<PathBuf>,
     /// Print the result document, and nothing else, as JSON; with several targets a line for each: target, result or error
@@ -83,7 +84,7 @@ pub(super) fn run(args: &MatchArgs) -> Result<(), CliError> {
     let parameters = with_numbers(&args.parameters.resolve()?, [&args.source, target]);
     let source = read_input(&args.source, &limits)?;
     let target_bytes = read_input(target, &limits)?;
-    // Before the computation, so that an unwritable folder is reported at once.
+    // Created before the computation, so that an unwritable folder is reported at once.
     let folder = args.out.as_deref().map(OutputFolder::create).transpose()?;
     if let Some(page) = &args.html {
         let folder = page.parent().filter(|folder| !folder.as_os_str().is_empty());
@@ -139,7 +140,7 @@ impl Pair<'_> {
         Ok((output, trace))
     }
 
-    /// Writes all files of the match but the page.
+    /// Writes all files of the match except the page.
     pub(super) fn write(
         &self,
         folder: &OutputFolder,
@@ -186,8 +187,8 @@ impl MatchArgs {
     }
 }
 
-/// The rigid transform for other programs; if an input is a DICOM object or a study is given also as DICOM, and with it the
-/// bent surfaces.
+/// Writes the rigid transform for other programs. If an input is a DICOM object or a study is given, also writes it and
+/// the bent surfaces as DICOM.
 fn write_transforms(
     folder: &OutputFolder,
     output: &RunOutput,

@@ -87,7 +87,7 @@ fn version() -> &'static str {
 /// Runs the program with these arguments, of which the first is the name of the program.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    // Before anything is read or set up: the service starts it again and again, and waits.
+    // Checked before anything is read or set up: the service starts this command again and again, and waits for it.
     if arguments.get(1).is_some_and(|command| command == isolation::COMMAND) {
         let parent = arguments.get(2).and_then(|pid| pid.to_str()?.parse().ok());
         return isolation::run_child(parent);
@@ -155,8 +155,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// A variable of the environment that looks like a setting and is none: a misspelled limit must not be ignored. Only where
-/// settings matter, and not what Kubernetes adds for a service of this name.
+/// A variable of the environment that looks like a setting but is unknown: a misspelled limit must not be ignored.
+/// Checked only for commands with settings, and not for variables that Kubernetes adds for a service of this name.
 fn unknown_setting(command: &Command) -> Option<String> {
     let runs_service = matches!(
         command,
@@ -176,14 +176,14 @@ fn unknown_setting(command: &Command) -> Option<String> {
 }
 
 fn is_unknown(name: &str) -> bool {
-    // Of the build, the tests and the benchmarks of this repository.
+    // Variables of the build, the tests and the benchmarks of this repository.
     const OTHERS: [&str; 4] = ["HOMOLOG_COMMIT", "HOMOLOG_REAL_DATA", "HOMOLOG_FAULTS", "HOMOLOG_BENCH_PEER"];
     let is_of_kubernetes = name.contains("_SERVICE_") || name.ends_with("_PORT") || name.contains("_PORT_");
     let program = <Cli as clap::CommandFactory>::command();
     name.starts_with("HOMOLOG_") && !OTHERS.contains(&name) && !is_of_kubernetes && !has_variable(&program, name)
 }
 
-/// The variable that is most like an unknown one.
+/// The known variable most similar to an unknown one.
 fn nearest_variable(program: &clap::Command, unknown: &str) -> String {
     let variables: Vec<String> = config::variables(program);
     crate::config::file::nearest(unknown, &variables).unwrap_or_default().to_owned()

@@ -1,7 +1,7 @@
 //! `homolog parameters`: prints `docs/parameters.md`.
 //!
-//! Nothing on that page is written by hand that the program knows: names, types and descriptions are those of the OpenAPI
-//! document, defaults those of the presets, and ranges what the program answers to values that it refuses.
+//! Everything on that page that the program knows is generated: names, types and descriptions come from the OpenAPI
+//! document, defaults from the presets, and ranges from the program's answers to values that it refuses.
 
 use super::error::CliError;
 use super::output::print;
@@ -11,7 +11,8 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// The sources that define the enumerations of the parameters. The OpenAPI document has their values without meanings.
+/// The sources that define the enumerations of the parameters. The OpenAPI document lists their values without
+/// meanings.
 const ENUMERATIONS: [&str; 5] = [
     include_str!("../../crates/contract/src/parameters/displacement.rs"),
     include_str!("../../crates/contract/src/parameters/energy.rs"),
@@ -20,7 +21,7 @@ const ENUMERATIONS: [&str; 5] = [
     include_str!("../../crates/contract/src/parameters/registration.rs"),
 ];
 
-/// Sections of the page, in the order of the pipeline. Parameters of no section are in the first table.
+/// Sections of the page, in the order of the pipeline. Parameters without a section are in the first table.
 const SECTIONS: [&str; 8] =
     ["input", "features", "energy", "inference", "clamping", "registration", "displacement", "landmarks"];
 
@@ -74,7 +75,7 @@ fn page() -> Result<String, serde_json::Error> {
     Ok(page)
 }
 
-/// What each preset changes in the default.
+/// The differences between each preset and the default.
 fn presets(page: &mut String, defaults: &Value) -> Result<(), serde_json::Error> {
     page.push_str("## Presets\n\n| `method` | what it does | changes against `balanced` |\n|---|---|---|\n");
     for method in Method::ALL {
@@ -101,7 +102,7 @@ fn section(page: &mut String, title: &str, description: &str, rows: &[String]) {
 struct Table<'a> {
     /// The component schemas of the OpenAPI document.
     schemas: &'a Value,
-    /// What each value of an enumeration means, by the enumeration's name and the value.
+    /// The meaning of each value of an enumeration, by the enumeration's name and the value.
     meanings: BTreeMap<(String, String), String>,
 }
 
@@ -177,14 +178,14 @@ impl Table<'_> {
         names.join(" or ") + unit
     }
 
-    /// The schema that a reference names, with that name; any other schema itself.
+    /// The schema that a reference names, with that name; any other schema unchanged.
     fn target<'s>(&'s self, schema: &'s Value) -> (&'s Value, &'s str) {
         let name = schema["$ref"].as_str().and_then(|path| path.rsplit('/').next());
         name.map_or((schema, ""), |name| (&self.schemas[name], name))
     }
 }
 
-/// What is allowed for the parameter at `path`, as the program says when it refuses a value.
+/// The allowed values of the parameter at `path`, from the program's message when it refuses a value.
 fn ranges(path: &[&str], schema: &Value, is_enumeration: bool) -> Vec<String> {
     let is = |kind: &str| schema["type"] == kind || list(&schema["type"]).any(|t| t == kind);
     let probes: Vec<Value> = if is_enumeration {
@@ -221,7 +222,7 @@ fn ranges(path: &[&str], schema: &Value, is_enumeration: bool) -> Vec<String> {
     found
 }
 
-/// A request that sets one parameter. Entries of lists get what they require.
+/// A request that sets one parameter. Entries of lists get their required members.
 fn request(path: &[&str], value: Value) -> Value {
     match path {
         [] => value,
@@ -234,7 +235,7 @@ fn request(path: &[&str], value: Value) -> Value {
     }
 }
 
-/// An entry of a list of objects with nothing but what is required.
+/// An entry of a list of objects with only its required members.
 fn smallest_entry(list: &str) -> Value {
     match list {
         "features" => json!({ "kind": "gaussian_curvature" }),
@@ -242,13 +243,13 @@ fn smallest_entry(list: &str) -> Value {
     }
 }
 
-/// What an entry of a list of objects holds where the request leaves it open.
+/// The defaults of an entry of a list of objects.
 fn entry_defaults(list: &str) -> Value {
     let resolved = resolve(&json!({ list: [smallest_entry(list)] })).ok();
     resolved.and_then(|parameters| serde_json::to_value(parameters).ok()).map_or(Value::Null, |p| p[list][0].clone())
 }
 
-/// A list of objects without the members that have their defaults, but for the required ones.
+/// A list of objects without the members that have their default values, except required ones.
 fn shortened(entries: &Value, defaults: &Value) -> Value {
     let Value::Array(entries) = entries else { return entries.clone() };
     let short = entries.iter().map(|entry| {
@@ -287,7 +288,7 @@ fn differences(base: &Value, changed: &Value, path: &mut Vec<String>, found: &mu
     }
 }
 
-/// What each value of each enumeration means: the doc comments of its variants.
+/// The meaning of each value of each enumeration: the doc comments of its variants.
 fn meanings() -> BTreeMap<(String, String), String> {
     let mut found = BTreeMap::new();
     for source in ENUMERATIONS {
@@ -313,7 +314,7 @@ fn meanings() -> BTreeMap<(String, String), String> {
     found
 }
 
-/// `MaxProduct` as `max_product`, which is how serde writes it.
+/// `MaxProduct` as `max_product`, the form that serde writes.
 fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     for (k, letter) in name.chars().enumerate() {
@@ -372,7 +373,7 @@ mod tests {
         }
     }
 
-    /// The dotted names of all values, `[]` for any entry of a list of objects.
+    /// The dotted names of all values; `[]` stands for any entry of a list of objects.
     fn leaves_of(value: &Value, name: String, leaves: &mut Vec<String>) {
         match value {
             Value::Object(object) => {

@@ -1,5 +1,5 @@
-//! Parameters on the command line: a file, then `--set a.b=value`, then options of their own such as `--seed`, resolved like
-//! those of a request.
+//! Parameters on the command line: a file, then `--set a.b=value`, then dedicated options such as `--seed`, resolved
+//! like the parameters of a request.
 
 use super::error::CliError;
 use super::files::read_input;
@@ -20,13 +20,13 @@ pub(super) struct InputArgs {
     /// Set one parameter, such as input.smoothing_mm=1 or features.0.weight=2; may be repeated
     #[arg(long = "set", value_name = "A.B=VALUE")]
     pub(super) set: Vec<String>,
-    /// Label that the structure has in a volume, by number or name; may be repeated; default: all
+    /// Label of the structure in a volume, by number or name; may be repeated; default: all
     #[arg(long = "label", value_name = "NUMBER|NAME")]
     pub(super) labels: Vec<String>,
-    /// Repair to allow, in place of those that are allowed by default; may be repeated; none: no repair
+    /// Repair to allow, instead of the default ones; may be repeated; none: no repair
     #[arg(long = "repair", value_delimiter = ',', value_name = "REPAIR", value_parser = PossibleValuesParser::new(REPAIRS))]
     pub(super) repair: Vec<String>,
-    /// Simplify surfaces of more vertices than this to so many before they are matched (input.max_vertices)
+    /// Simplify surfaces with more than N vertices to N vertices before they are matched (input.max_vertices)
     #[arg(long, value_name = "N")]
     pub(super) simplify: Option<u32>,
     /// Apply the coordinate transform that a GIFTI file states, or with =false none; default: only a rigid one
@@ -34,16 +34,17 @@ pub(super) struct InputArgs {
     pub(super) apply_transform: Option<bool>,
 }
 
-/// Options that set limits on what is read.
+/// Options that limit the inputs.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct LimitArgs {
-    /// Most vertices of a surface that is matched; more are refused unless they are simplified
+    /// Most vertices of a surface; larger surfaces are refused unless they are simplified
     #[arg(long = "max-vertices", value_name = "N", default_value_t = IntakeLimits::default().max_vertices)]
     max_vertices: usize,
 }
 
 impl LimitArgs {
-    /// Limits of the command line: those of the service, but for those that were set. There are as many faces for each vertex.
+    /// Limits of the command line: the limits of the service, except those that were set. The ratio of faces to
+    /// vertices is kept.
     pub(super) fn limits(&self) -> IntakeLimits {
         let usual = IntakeLimits::default();
         let faces_per_vertex = usual.max_faces / usual.max_vertices;
@@ -52,7 +53,7 @@ impl LimitArgs {
     }
 }
 
-/// What `--repair` takes: the repairs of [`homolog_contract::parameters::Repair`] that can be asked for.
+/// Values of `--repair`: the repairs of [`homolog_contract::parameters::Repair`] that can be requested.
 const REPAIRS: [&str; 7] = ["weld", "orient", "split", "largest_component", "fill", "triangulate", NO_REPAIR];
 const NO_REPAIR: &str = "none";
 
@@ -64,13 +65,14 @@ pub(super) struct ParameterArgs {
     pub(super) method: Option<String>,
     #[command(flatten)]
     pub(super) input: InputArgs,
-    /// Label that the structure has in the source alone; may be repeated
+    /// Label of the structure in the source only; may be repeated
     #[arg(long = "source-label", value_name = "NUMBER|NAME")]
     pub(super) source_labels: Vec<String>,
-    /// Label that the structure has in the target alone; may be repeated
+    /// Label of the structure in the target only; may be repeated
     #[arg(long = "target-label", value_name = "NUMBER|NAME")]
     pub(super) target_labels: Vec<String>,
-    /// Mirror this input before it is matched, as to compare left with right; the answer stays in the coordinates of the file
+    /// Mirror this input before it is matched, for example to compare left with right; the answer stays in the
+    /// coordinates of the file
     #[arg(long, value_name = "source|target", value_parser = PossibleValuesParser::new(["source", "target"]))]
     pub(super) mirror: Option<String>,
     /// Seed of the random numbers
@@ -87,7 +89,7 @@ impl InputArgs {
         resolve(&self.request(Vec::new())?).map_err(|faults| CliError::BadInput(describe(&faults)))
     }
 
-    /// The parameters in the form of the HTTP API, with these further settings.
+    /// The parameters in the form of the HTTP API, with additional settings.
     fn request(&self, more: Vec<Setting>) -> Result<Value, CliError> {
         let mut request = match &self.params {
             None => Value::Object(Map::new()),
@@ -109,7 +111,7 @@ impl InputArgs {
         settings.extend(self.simplify.map(|n| (names("input.max_vertices"), Value::from(n))));
         settings.extend(self.apply_transform.map(|apply| (names("input.apply_transform"), Value::from(apply))));
         settings.extend(more);
-        // The method first: its preset has the lists that indices such as features.0 refer to.
+        // The method comes first: indices such as features.0 refer to the lists of its preset.
         settings.sort_by_key(|(path, _)| path.first().is_some_and(|key| key != "method"));
         for (path, value) in settings {
             apply(&mut request, &path, value)?;
@@ -118,14 +120,14 @@ impl InputArgs {
     }
 }
 
-/// The place of a parameter and its value.
+/// The path of a parameter and its value.
 type Setting = (Vec<String>, Value);
 
 fn names(dotted: &str) -> Vec<String> {
     dotted.split('.').map(str::to_owned).collect()
 }
 
-/// Labels by number, or else by name; nothing if none are given.
+/// Labels by number, or otherwise by name; nothing if none are given.
 fn labels_setting(place: &str, labels: &[String]) -> Option<Setting> {
     let label = |text: &String| text.parse::<u32>().map_or_else(|_| Value::from(text.as_str()), Value::from);
     (!labels.is_empty()).then(|| (names(place), labels.iter().map(label).collect()))
@@ -162,7 +164,7 @@ fn parse_setting(setting: &str) -> Result<Setting, CliError> {
     Ok((path, serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_owned()))))
 }
 
-/// Puts `value` at `path`. An index refers to the list in the request, or else in the preset.
+/// Sets `value` at `path`. An index refers to the list in the request, or otherwise in the preset.
 fn apply(request: &mut Value, path: &[String], value: Value) -> Result<(), CliError> {
     let method = request.get("method").and_then(|m| serde_json::from_value(m.clone()).ok());
     let defaults = serde_json::to_value(preset(method.unwrap_or(Method::Balanced))).unwrap_or_default();

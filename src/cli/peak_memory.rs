@@ -1,5 +1,6 @@
-//! `homolog peak-memory SOURCE TARGET`: one match, and the most memory that the process had for it. `homolog experiment` runs it
-//! for each pair and method: a process that has matched before keeps memory that the next match would seem not to need.
+//! `homolog peak-memory SOURCE TARGET`: one match, and the peak memory of its process. `homolog experiment` runs this
+//! command for each pair and method: a process that has matched before keeps memory, which would hide the need of the
+//! next match.
 
 use super::error::CliError;
 use super::files::{file_name, read_input};
@@ -39,15 +40,15 @@ pub(super) fn run(args: &PeakMemoryArgs) -> Result<(), CliError> {
     print(&bytes.to_string())
 }
 
-/// Largest resident set of this process so far, bytes; `None` where the system is not Linux.
+/// Largest resident set of this process so far, bytes; `None` on systems other than Linux.
 fn own_peak() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     line.trim().strip_suffix(" kB")?.trim().parse::<u64>().ok().map(|kib| kib << 10)
 }
 
-/// Peak memory of matching `source` to `target` with these parameters of a request, by this program in a process of its own, bytes.
-/// `folder` is one for temporary files; it is made and removed.
+/// Peak memory, bytes, of matching `source` to `target` with these request parameters, in a separate process of this
+/// program. `folder` is for temporary files; it is created and removed.
 ///
 /// # Errors
 /// One line with the reason.

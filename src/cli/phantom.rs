@@ -20,7 +20,7 @@ pub(super) struct PhantomArgs {
     /// Seed of the subject
     #[arg(long, default_value_t = 1)]
     pub(super) subject: u64,
-    /// Seed of the subject of the target, if it is another one; then there is no pointwise ground truth
+    /// Seed of the target's subject, if it differs; then there is no pointwise ground truth
     #[arg(long, value_name = "SUBJECT")]
     pub(super) target_subject: Option<u64>,
     /// Write label volumes (.nii.gz; 1 anterior, 2 posterior) or surfaces (.ply)
@@ -102,7 +102,7 @@ pub(super) fn write_pair(
         Kind::Volume => {
             written.push(folder.write(names[0], &volume_file(pair.source_volume(spacing_mm).map_err(bad)?)?)?);
             written.push(folder.write(names[1], &volume_file(pair.target_volume(spacing_mm).map_err(bad)?)?)?);
-            // A volume has no vertices; points spread over the true surface serve as ground truth.
+            // A volume has no vertices, so points spread over the true surface serve as ground truth.
             let points = pair.source_surface(DEFAULT_EDGE_MM).map_err(bad)?;
             for p in points.mesh.vertices() {
                 truth.add(None, p, &pair.place(p));
@@ -129,7 +129,7 @@ pub(super) fn write_pair(
         "one_subject": pair.is_one_subject(),
         "spacing_mm": (kind == Kind::Volume).then_some(spacing_mm),
         "edge_mm": (kind == Kind::Surface).then_some(edge_mm),
-        // target = pose(deformation(source)) for one subject; for two it is how the target's frame was turned.
+        // target = pose(deformation(source)) for one subject; for two subjects, the rotation of the target's frame.
         "pose": { "seed": recipe.pose_seed, "matrix": matrix },
         "deformation": pair.deformation().map(|d| json!({
             "seed": recipe.deform_seed,

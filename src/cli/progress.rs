@@ -8,11 +8,11 @@ use std::time::{Duration, Instant};
 /// Steps of the bar; more than any terminal can show.
 const STEPS: u64 = 1000;
 const TEMPLATE: &str = "{msg:14} {bar:40} {percent:>3} % {elapsed:>4}{prefix}";
-/// How much must be done, and how long it must have taken, before the rest is estimated.
+/// Least fraction of the work, and least elapsed time, before the remaining time is estimated.
 const LEAST_FRACTION: f64 = 0.1;
 const LEAST_TIME: Duration = Duration::from_secs(2);
 
-/// What to show if the standard error is not a terminal.
+/// The output if the standard error is not a terminal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WithoutTerminal {
     /// Nothing.
@@ -44,7 +44,7 @@ impl Progress {
         Progress { bar, lines, begun, title, phase: std::sync::Mutex::default() }
     }
 
-    /// What is shown before the phase from now on; only the first title counts.
+    /// Sets the title that is shown before the phase; only the first title counts.
     pub(super) fn title(&self, title: &str) {
         if !title.is_empty() {
             let _ = self.title.set(format!("{title}: "));
@@ -72,7 +72,7 @@ impl Progress {
     }
 }
 
-/// How long the rest takes if it goes on as before, in words; `None` if too little is done to say so.
+/// The remaining time in words, if the work continues at the same rate; `None` if too little is done for an estimate.
 fn left(elapsed: Duration, fraction: f64) -> Option<String> {
     if fraction < LEAST_FRACTION || elapsed < LEAST_TIME {
         return None;

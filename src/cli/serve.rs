@@ -27,7 +27,7 @@ pub(super) struct WorkerArgs {
     /// When the process exits.
     #[command(flatten)]
     pub(super) process: WorkerProcessSettings,
-    /// Everything else.
+    /// Settings of the service.
     #[command(flatten)]
     pub(super) service: ServiceSettings,
 }
@@ -108,20 +108,20 @@ pub(super) fn in_runtime(
     done.map_err(failed)
 }
 
-/// Raises the soft limit of open files, because each connection is one.
+/// Raises the soft limit of open files, because each connection is a file.
 #[cfg(unix)]
 fn raise_file_limit() {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
     let Rlimit { maximum, .. } = getrlimit(Resource::Nofile);
     let wanted = Rlimit { current: maximum.map_or(Some(65_536), |most| Some(most.min(65_536))), maximum };
-    // If that fails, the current limit stays.
+    // On failure the current limit stays.
     let _ = setrlimit(Resource::Nofile, wanted);
 }
 
 #[cfg(not(unix))]
 fn raise_file_limit() {}
 
-/// Prints a line; a closed output is no reason to stop serving.
+/// Prints a line; the service continues if the output is closed.
 fn say(line: &str) {
     let _ = print(line);
 }

@@ -1,4 +1,5 @@
-//! `homolog study TABLE|FOLDER|study.json`: from a group of subjects to a shape model, maps of statistics and a report.
+//! `homolog study TABLE|FOLDER|study.json`: computes a shape model, maps of statistics and a report from a group of
+//! subjects.
 
 use super::error::CliError;
 use super::files::{OutputFolder, file_name};
@@ -24,29 +25,29 @@ use std::path::{Path, PathBuf};
 
 /// Study a group of subjects: template, shape model, statistics at every vertex, quality control, report
 ///
-/// A template is matched to every subject, or made from them; the matches are kept in the folder, so that the same command goes
-/// on where it was stopped, and a subject that is added later costs one match.
+/// A given template, or one made from the group, is matched to every subject. The matches are kept in the folder: the
+/// same command continues after an interruption, and a subject that is added later costs one match.
 #[derive(Debug, Clone, Args)]
 pub(super) struct StudyArgs {
-    /// A table of subjects (CSV with the columns file and, if you like, id, subject, role and covariates), a folder of their
-    /// files, or the study.json of a study to compute again
+    /// A table of subjects (CSV with the column file and, optionally, id, subject, role and covariates), a folder of
+    /// their files, or the study.json of a study to compute again
     #[arg(value_name = "TABLE.csv|FOLDER|study.json")]
     cohort: PathBuf,
     /// Folder for everything that is found: study.json, report.html, tables, the mean, modes, maps, and the template bent onto
     /// every subject
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
-    /// Template: a surface or a label volume; without it one is made from the group
+    /// Template: a surface or a label volume; default: made from the group
     #[arg(long, value_name = "FILE")]
     template: Option<PathBuf>,
-    /// Side of the body on which the template lies, where the table has a column side: subjects of the other side are mirrored;
-    /// default: that of the subject from which it is made, or of most subjects
+    /// Side of the body on which the template lies, where the table has a column side: subjects of the other side are
+    /// mirrored; default: the side of the subject from which the template is made, or of most subjects
     #[arg(long, value_name = "left|right", value_parser = PossibleValuesParser::new(["left", "right"]))]
     template_side: Option<String>,
-    /// Subject whose surface the template is made from; default: the one of median volume
+    /// Subject from whose surface the template is made; default: the subject of median volume
     #[arg(long, value_name = "ID", conflicts_with = "template")]
     start: Option<String>,
-    /// Most subjects that the template is made from, spread over the table; 0: all
+    /// Most subjects from which the template is made, spread over the table; 0: all
     #[arg(long, value_name = "N", default_value_t = MadeTemplate::default().subjects, conflicts_with = "template")]
     template_subjects: usize,
     /// Most rounds of matching and averaging
@@ -58,13 +59,15 @@ pub(super) struct StudyArgs {
     /// Covariates to adjust for
     #[arg(long, value_name = "COVARIATE", value_delimiter = ',')]
     adjust: Vec<String>,
-    /// Level with which the others of a covariate are compared; may be repeated; default: the first in alphabetical order
+    /// Level with which the other levels of a covariate are compared; may be repeated; default: the first in
+    /// alphabetical order
     #[arg(long, value_name = "COVARIATE=LEVEL")]
     reference: Vec<String>,
-    /// A further contrast: its name and a sum of columns of the design, such as "ends=group:severe - group:mild"; may be repeated
+    /// A further contrast: its name and a sum of columns of the design, such as "ends=group:severe - group:mild"; may
+    /// be repeated
     #[arg(long, value_name = "NAME=SUM")]
     contrast: Vec<String>,
-    /// What is tested at every vertex; may be repeated; default: all
+    /// Measure to test at every vertex; may be repeated; default: all
     #[arg(long, value_name = "MEASURE", value_delimiter = ',', value_parser = PossibleValuesParser::new(Measure::ALL.map(Measure::name)))]
     measure: Vec<String>,
     /// Permutations of each test
@@ -73,7 +76,7 @@ pub(super) struct StudyArgs {
     /// Take size out of shape: subjects are scaled to one size
     #[arg(long)]
     without_size: bool,
-    /// Subjects among which the consistency of maps is measured, at three matches each; 0: it is not measured
+    /// Number of subjects among which the consistency of maps is measured, at three matches each; 0: not measured
     #[arg(long, value_name = "N", default_value_t = 0)]
     cycles: usize,
     /// Table of decisions: id, decision (kept or dropped), reason; default: decisions.csv in the folder
@@ -120,7 +123,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     }
 }
 
-/// A study as it is asked for.
+/// A requested study.
 struct Asked {
     cohort: Cohort,
     settings: Settings,
@@ -146,7 +149,7 @@ fn said(error: StudyError) -> CliError {
 fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
     let unreadable =
         |error: std::io::Error| CliError::BadInput(format!("cannot read {}: {error}", args.cohort.display()));
-    // Absolute, so that study.json is good from any folder.
+    // Absolute, so that study.json is valid from any folder.
     let path = std::path::absolute(&args.cohort).map_err(unreadable)?;
     if path.extension().is_some_and(|ending| ending == "json") {
         let document = read_document(&fs::read(&path).map_err(unreadable)?)
@@ -172,7 +175,7 @@ fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
     let named = |error| CliError::BadInput(format!("{}: {error}", args.cohort.display()));
     let cohort = cohort.map_err(named)?;
     for subject in &cohort.subjects {
-        // Before the first match, which may be long before this file's.
+        // Checked before the first match, which may be long before this file is read.
         fs::metadata(&subject.file)
             .map_err(|error| CliError::BadInput(format!("cannot read {}: {error}", subject.file.display())))?;
     }
@@ -218,7 +221,7 @@ fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
         parameters,
     };
     template_side(&cohort, &settings).map_err(|error| CliError::BadInput(error.to_string()))?;
-    // A wrong covariate is said now, and not after the matches.
+    // A wrong covariate is reported now, and not after the matches.
     let all: Vec<usize> = (0..cohort.subjects.len()).collect();
     if settings.analysis.effect.is_some() || !settings.analysis.contrasts.is_empty() {
         homolog_study::statistics::design::Design::new(&cohort, &all, &settings.analysis)
@@ -227,7 +230,7 @@ fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
     Ok(Asked { cohort, settings, hashes: Vec::new(), decisions: None })
 }
 
-/// The decisions: those of the option, or of the folder, or of the study that is computed again.
+/// The decisions of the option, or else of the folder, or else of the study that is computed again.
 fn decisions(args: &StudyArgs, asked: &Asked, folder: &Folder) -> Result<Vec<Decision>, StudyError> {
     let text = match &args.decisions {
         Some(path) => {
@@ -238,11 +241,11 @@ fn decisions(args: &StudyArgs, asked: &Asked, folder: &Folder) -> Result<Vec<Dec
     let Some(text) = text else { return Ok(asked.decisions.clone().unwrap_or_default()) };
     let ids: BTreeSet<&str> = asked.cohort.subjects.iter().map(|subject| subject.id.as_str()).collect();
     let read = read_decisions(&text, &ids).map_err(StudyError::Settings)?;
-    // A folder whose table of decisions is still empty does not undo those of the study that is computed again.
+    // An empty table of decisions in the folder does not override the decisions of the study that is computed again.
     Ok(if read.is_empty() { asked.decisions.clone().unwrap_or_default() } else { read })
 }
 
-/// What was found, in a few lines.
+/// The findings, in a few lines.
 fn summary(found: &Findings) -> String {
     let flagged = found.subjects.iter().filter(|subject| !subject.flags.is_empty()).count();
     let mut lines = vec![format!(

@@ -23,7 +23,7 @@ pub(super) fn summary(result: &ResultDocument) -> String {
     if let Some(similarity) = &t.similarity {
         let _ = writeln!(text, "similarity        {}", similarity.sentence());
     }
-    // Without labels there is nothing to draw from.
+    // Without labels there are no trials.
     let trials = if s.trials > 0 { format!(", {} trials", s.trials) } else { String::new() };
     let _ = writeln!(
         text,
@@ -63,7 +63,7 @@ pub(super) fn summary(result: &ResultDocument) -> String {
     text
 }
 
-/// Whether the answer can be relied on, and why not, in words.
+/// Whether the answer is reliable, and why not, in words.
 fn verdict(result: &ResultDocument) -> String {
     let verdict = result.verdict();
     let mut text = format!("{}\n", verdict.headline());
@@ -91,7 +91,8 @@ fn verdict(result: &ResultDocument) -> String {
     text
 }
 
-/// The energy before and after its minimization, and that of the answer where a displacement field changed the labeling.
+/// The energy before and after its minimization, and the energy of the answer where a displacement field changed the
+/// labeling.
 fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
     let chosen = result.rounds.iter().find(|round| round.chosen);
     let minimized = chosen.map_or(e.r#final, |round| round.energy);
@@ -105,7 +106,7 @@ fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
     if result.stop_reason == StopReason::TargetReached {
         text.push_str(", the target");
     }
-    // What the displacement field adds is the price of a smooth map.
+    // The increase by the displacement field is the price of a smooth map.
     if (e.r#final - minimized).abs() > 0.005 {
         let _ = write!(text, "; {:.2} for the smooth map of the answer", e.r#final);
     }
@@ -115,7 +116,7 @@ fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
     text
 }
 
-/// Rounded to what is shown, so that no number is shown as −0.
+/// Rounded to the shown digits, so that no number is shown as −0.
 fn without_sign_of_zero(value: f64) -> f64 {
     if value.abs() < 5e-6 { 0.0 } else { value }
 }

@@ -1,10 +1,10 @@
-//! Which settings of the service a command uses: its help lists these alone. The others are accepted all the same, because one
-//! configuration file and one environment serve all commands.
+//! The settings of the service that each command uses: its help lists only these. The others are also accepted, because
+//! one configuration file and one environment serve all commands.
 
 use super::config::is_setting;
 use clap::Command;
 
-/// Where the database is, what decrypts it, and what is logged.
+/// Settings of the location of the database, of its decryption, and of the log.
 const DATABASE: [&str; 9] = [
     "config",
     "data_dir",
@@ -25,7 +25,7 @@ const RETENTION: &[&str] = &[
     "tenant_retain_jobs_days",
 ];
 
-/// Commands that use a few settings, and which beside [`DATABASE`].
+/// Commands that use only a few settings, and which ones besides [`DATABASE`].
 const COMMANDS: [(&str, &[&str]); 7] = [
     ("migrate", &[]),
     ("keys", &[]),
@@ -36,7 +36,7 @@ const COMMANDS: [(&str, &[&str]); 7] = [
     ("restore", BLOBS),
 ];
 
-/// The program, with the help of each command reduced to what the command uses.
+/// The program, with the help of each command reduced to the settings that the command uses.
 pub(super) fn only_used(program: Command) -> Command {
     COMMANDS
         .iter()

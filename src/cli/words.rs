@@ -1,8 +1,8 @@
-//! Messages of the command line in the words of its users: dotted names of parameters, and what a value has to be.
+//! Messages in terms of the command line: dotted names of parameters, and the required form of a value.
 
 use homolog_contract::parameters::ParameterError;
 
-/// What libraries say of a value, and what it means.
+/// Messages of libraries about a value, and their meanings.
 const MEANINGS: [(&str, &str); 10] = [
     ("invalid digit found in string", "a whole number of at least 0 is needed here"),
     ("cannot parse integer from empty string", "a whole number of at least 0 is needed here"),
@@ -16,12 +16,12 @@ const MEANINGS: [(&str, &str); 10] = [
     ("is not in 1..4294967296", "must be at least 1"),
 ];
 
-/// A message of a library, in these words.
+/// A message of a library, rewritten with these meanings.
 pub(super) fn plain(message: &str) -> String {
     MEANINGS.iter().fold(message.to_owned(), |said, (theirs, ours)| said.replace(theirs, ours))
 }
 
-/// What sentences call a parameter of a request, and the option of the command line that sets it.
+/// The names of request parameters in sentences, and the command-line options that set them.
 const OPTIONS: [(&str, &str); 5] = [
     ("(input.labels)", "(--label NUMBER or NAME)"),
     ("input.labels chooses", "--label chooses"),
@@ -30,7 +30,7 @@ const OPTIONS: [(&str, &str); 5] = [
     ("without input.smoothing_mm", "without --set input.smoothing_mm"),
 ];
 
-/// A sentence of a verdict or a warning, with options of the command line for parameters of a request.
+/// A sentence of a verdict or a warning, with command-line options in place of request parameters.
 pub(super) fn on_command_line(sentence: &str) -> String {
     OPTIONS.iter().fold(sentence.to_owned(), |said, (theirs, ours)| said.replace(theirs, ours))
 }

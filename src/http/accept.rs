@@ -5,11 +5,11 @@ use axum::http::{HeaderMap, header};
 /// Most ranges of an `Accept` header that are read; more than any client sends.
 const MAX_RANGES: usize = 64;
 
-/// The index of the offered media type that `Accept` prefers, the first among equals. The first of all without the header, or
-/// with one that has no readable range. `None` if the client accepts none of them.
+/// The index of the offered media type that `Accept` prefers, the first among equals. The first type if the header is
+/// absent or has no readable range. `None` if the client accepts none of them.
 ///
-/// `offered` are types without parameters. Of the ranges that match a type, the most specific decides. Parameters
-/// other than `q` are not compared: no type is offered in two variants.
+/// `offered` are types without parameters. The most specific of the ranges that match a type decides. Parameters other
+/// than `q` are not compared, because no type is offered in two variants.
 pub(super) fn preferred(headers: &HeaderMap, offered: &[&str]) -> Option<usize> {
     let lines = headers.get_all(header::ACCEPT).iter().filter_map(|value| value.to_str().ok());
     let ranges: Vec<Range> = lines.flat_map(|line| line.split(',')).take(MAX_RANGES).filter_map(Range::parse).collect();
@@ -28,7 +28,7 @@ pub(super) fn preferred(headers: &HeaderMap, offered: &[&str]) -> Option<usize> 
 
 fn quality(ranges: &[Range], media_type: &str) -> u16 {
     let matching = ranges.iter().filter_map(|range| Some((range.specificity(media_type)?, range.quality)));
-    // Of a range that is given twice, the higher quality counts.
+    // If a range is given twice, the higher quality counts.
     matching.max().map_or(0, |(_, quality)| quality)
 }
 

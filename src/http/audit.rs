@@ -1,5 +1,6 @@
-//! Which requests are recorded in the audit log, and as what: every operation that may change something, and those that read a
-//! result or an upload. A row is stored before the answer leaves; a request whose client leaves before is recorded too.
+//! Selects the requests that the audit log records, and makes their rows: every operation that may change something,
+//! and the ones that read a result or an upload. A row is stored before the answer is sent; a request whose client
+//! disconnects earlier is recorded too.
 
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -15,7 +16,7 @@ use std::sync::{Arc, LazyLock, OnceLock};
 use utoipa::openapi::PathItem;
 use utoipa::openapi::path::Operation;
 
-/// Operations that change nothing and are recorded: they give out what was computed of a patient, or uploaded.
+/// Operations that change nothing but are recorded, because they return results about a patient or uploads.
 pub(super) const RECORDED_READS: [&str; 13] = [
     "get_result",
     "get_correspondences",
@@ -32,7 +33,7 @@ pub(super) const RECORDED_READS: [&str; 13] = [
     "get_study_archive",
 ];
 
-/// The operations that are recorded, by method and route, with the names that they have in the OpenAPI document.
+/// The recorded operations, by method and route, with their ids in the OpenAPI document.
 static RECORDED: LazyLock<HashMap<(Method, String), String>> = LazyLock::new(|| {
     let (_, document) = api().split_for_parts();
     let mut recorded = HashMap::new();
@@ -59,7 +60,7 @@ fn operations(item: PathItem) -> impl Iterator<Item = (Method, Operation)> {
     all.into_iter().filter_map(|(method, operation)| Some((method, operation?)))
 }
 
-/// Who sends a request, once it is authenticated.
+/// The sender of a request, once it is authenticated.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Caller(Arc<OnceLock<(Tenant, Option<String>)>>);
 
@@ -87,7 +88,7 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// `None` for a request that is not recorded.
+    /// The recording of a request; `None` if the request is not recorded.
     pub(super) fn of(state: &HttpState, caller: &Caller, request: &Request, route: &str) -> Option<Self> {
         let method = if request.method() == Method::HEAD { &Method::GET } else { request.method() };
         let action = RECORDED.get(&(method.clone(), route.to_owned()))?;
@@ -132,7 +133,7 @@ impl Recording {
 
 impl Drop for Recording {
     fn drop(&mut self) {
-        // The client has left: hyper then drops the future that answers it.
+        // The client has disconnected: hyper then drops the future of the answer.
         if let (Some(event), Ok(runtime)) = (self.event.take(), tokio::runtime::Handle::try_current()) {
             let _inside = runtime.enter();
             drop(self.recorder.record(self.complete(event)));
@@ -140,8 +141,8 @@ impl Drop for Recording {
     }
 }
 
-/// Kind and id of what a path names, such as `jobs/019d8a1b-…`. Only what has the form of an id: a client may write anything
-/// into a path.
+/// Kind and id of the resource in a path, such as `jobs/019d8a1b-…`. Only text in the form of an id is recorded: a
+/// client may write anything into a path.
 fn resource(route: &str, path: &str) -> Option<String> {
     let (_, id) = route.split('/').zip(path.split('/')).find(|(part, _)| *part == "{id}")?;
     let id = id.replace("%3A", ":").replace("%3a", ":");
@@ -152,7 +153,7 @@ fn resource(route: &str, path: &str) -> Option<String> {
     is_id.then(|| format!("{}/{id}", route.split('/').nth(2).unwrap_or_default()))
 }
 
-/// What a request has made, by the location in its answer.
+/// The resource that a request has created, from the location in its answer.
 fn made(headers: &HeaderMap) -> Option<String> {
     let location = headers.get(header::LOCATION).or_else(|| headers.get(header::CONTENT_LOCATION))?;
     location.to_str().ok()?.strip_prefix("/v1/").map(str::to_owned)

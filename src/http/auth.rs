@@ -1,7 +1,8 @@
-//! Authentication by API key, by a token of an OpenID Connect provider or by a ticket, and authorization by the scopes of either.
+//! Authentication by API key, by a token of an OpenID Connect provider or by a ticket, and authorization by their
+//! scopes.
 //!
-//! An answer that goes on, a stream of events or a long poll, asks again ([`Rights`]): a key may be revoked meanwhile, and a token
-//! expire.
+//! A long answer, such as an event stream or a long poll, checks the rights again ([`Rights`]): a key may be revoked in
+//! the meantime, and a token may expire.
 
 use super::audit::Caller;
 use super::problem::Problem;
@@ -18,8 +19,8 @@ use std::convert::Infallible;
 use std::time::Duration;
 use tokio::time::{Instant, sleep_until};
 
-/// How long a stream goes on that was opened with a ticket of the owner of a token: the token is not kept, so nobody can say whether it
-/// is still valid.
+/// Longest duration of a stream that was opened with a ticket of a token's owner. The token is not kept, so its
+/// validity cannot be checked again.
 const LONGEST_BY_TOKEN: Duration = Duration::from_secs(3_600);
 
 /// Whether requests are authenticated.
@@ -43,7 +44,7 @@ pub(crate) struct Submitter(pub(crate) Tenant);
 #[derive(Debug, Clone)]
 pub(crate) struct Admin(pub(crate) Tenant);
 
-/// Who sends a request, and what they may do.
+/// The sender of a request, and its rights.
 struct Identity {
     tenant: Tenant,
     id: String,
@@ -88,7 +89,7 @@ async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<T
         state.begin_request(&tenant, origin)?;
         return Ok(tenant);
     }
-    // The answer does not reveal which part of a key or a token was wrong.
+    // The answer does not reveal which part of a key or a token is wrong.
     let Some(bearer) = bearer(parts) else { return Err(Problem::new(ProblemKind::Unauthenticated)) };
     let found = identity(bearer, state).await?;
     caller.is(&found.tenant, Some(&found.id));
@@ -114,14 +115,15 @@ impl Identity {
     }
 }
 
-/// By what a request was let in, to be asked again while its answer goes on. Extracting it lets nobody in.
+/// The credentials that admitted a request, for further checks while its answer continues. Extracting them authorizes
+/// nobody.
 #[derive(Clone)]
 pub(crate) struct Rights {
     state: HttpState,
     bearer: Option<String>,
     caller: Caller,
     began: Instant,
-    /// When they are asked again at the latest.
+    /// When the rights must be checked again at the latest.
     due: Instant,
 }
 
@@ -140,10 +142,10 @@ impl FromRequestParts<HttpState> for Rights {
 }
 
 impl Rights {
-    /// Asks whether the caller still has `scope` in the tenant of the request. One query.
+    /// Checks that the caller still has `scope` in the tenant of the request. One query.
     ///
     /// # Errors
-    /// As for a new request; `unavailable` if that cannot be found out now.
+    /// As for a new request; `unavailable` if the rights cannot be determined now.
     pub(super) async fn ask(&self, scope: Scope) -> Result<(), Problem> {
         if self.state.auth == AuthMode::None {
             return Ok(());
@@ -154,7 +156,8 @@ impl Rights {
             let is_of_tenant = self.caller.tenant() == Some(found.tenant.name());
             return if is_of_tenant { found.require(scope) } else { Err(unauthenticated()) };
         }
-        // A ticket lasts for a minute, in which a stream may begin; what goes on is the right of whoever asked for it.
+        // A ticket is valid for a minute, in which a stream may begin. A running stream depends on the rights of the
+        // owner who requested the ticket.
         let is_valid = match self.caller.key_id() {
             None => true,
             Some(id) if SecretKey::is_id(id) => self.state.service.is_key_valid(id).await?,
@@ -163,8 +166,8 @@ impl Rights {
         if is_valid { Ok(()) } else { Err(unauthenticated()) }
     }
 
-    /// Whether a stream of what may be read may go on. A store or a provider that does not answer takes no right away: nothing new is
-    /// read from it either, and the next page asks again.
+    /// Whether a stream of readable data may continue. A store or a provider that does not answer revokes nothing: the
+    /// stream reads nothing new from it meanwhile, and the next page checks again.
     pub(super) async fn last(&mut self) -> bool {
         self.due = Instant::now() + self.state.limits.access_interval;
         match self.ask(Scope::Read).await {
@@ -173,7 +176,7 @@ impl Rights {
         }
     }
 
-    /// Returns when a silent stream has to ask again.
+    /// Returns when a silent stream has to check its rights again.
     pub(super) async fn due(&self) {
         sleep_until(self.due).await;
     }

@@ -1,19 +1,19 @@
-//! Which answers are compressed for clients that accept it, and what their headers say of it (RFC 9110, sections 8.8.3, 12.5.5
-//! and 14).
+//! Selects the answers that are compressed for clients that accept it, and sets their headers (RFC 9110, sections
+//! 8.8.3, 12.5.5 and 14).
 //!
-//! A range is never compressed: it is one of the bytes as they are, under their ETag. The ETag of a compressed answer is weak, so
-//! that no client joins ranges to it.
+//! A range is never compressed: it is a range of the uncompressed bytes, under their ETag. The ETag of a compressed
+//! answer is weak, so that no client joins ranges to it.
 
 use axum::extract::Request;
 use axum::http::{HeaderValue, header};
 use axum::middleware::Next;
 use axum::response::Response;
 
-/// Whether an answer gains from compression, where its media type does not tell.
+/// Whether compression makes an answer smaller, where its media type does not tell.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Gains(pub(super) bool);
 
-/// Binary formats whose numbers are not compressed already; those of Parquet, npz and zip are.
+/// Binary formats whose numbers are not compressed already; Parquet, npz and zip compress their own.
 const BINARY: [&str; 8] = [
     "application/dicom",
     "application/vnd.apache.arrow.file",
@@ -25,16 +25,17 @@ const BINARY: [&str; 8] = [
     "model/vtk",
 ];
 
-/// Whether an answer of this `Content-Type` gains from compression. Events do not: each would wait for the next.
+/// Whether compression makes an answer of this `Content-Type` smaller. Events are excluded, because compression would
+/// hold each back until the next.
 pub(super) fn gains(content_type: &str) -> bool {
     let media_type = content_type.split(';').next().unwrap_or_default().trim();
     let is_text = media_type.starts_with("text/") || media_type.ends_with("json") || media_type.ends_with("+xml");
     (is_text && media_type != "text/event-stream") || BINARY.contains(&media_type)
 }
 
-/// Weakens the ETag of an answer that was compressed on the way, and the one that tells a client that its compressed copy is
-/// current: a strong one names the bytes before. Caches learn that other clients may be answered otherwise, also by an answer
-/// without content and by a range.
+/// Weakens the ETag of an answer that was compressed on the way, and the ETag that confirms a client's compressed copy:
+/// a strong ETag names the uncompressed bytes. Tells caches that other clients may get another answer; also in an
+/// answer without content and in a range.
 pub(super) async fn mark(request: Request, next: Next) -> Response {
     let known: Vec<HeaderValue> = request.headers().get_all(header::IF_NONE_MATCH).iter().cloned().collect();
     let mut response = next.run(request).await;

@@ -1,5 +1,5 @@
-//! Content that is larger than an answer should hold in memory: streamed from the store, or counted while it is sent; and
-//! byte ranges of it (RFC 9110, section 14).
+//! Content that should not be held in memory as a whole: streamed from the store, or counted while it is sent; and byte
+//! ranges of content (RFC 9110, section 14).
 
 use super::conditional::{is_fresh, not_modified, respond};
 use super::problem::Problem;
@@ -17,7 +17,7 @@ use std::ops::Range;
 use std::pin::Pin;
 use std::task::{Context, Poll};
 
-/// Pieces in which an answer in memory is sent.
+/// Size of the pieces in which an answer in memory is sent.
 const PIECE: usize = 256 << 10;
 
 /// An answer in memory, whose memory is counted until its last piece is taken.
@@ -49,22 +49,22 @@ impl HttpBody for Counted {
     }
 }
 
-/// What a request wants of a content that never changes under its ETag.
+/// The part of a content that a request asks for. The content never changes under its ETag.
 pub(super) enum Wanted {
     /// An answer without content: 304 or 416.
     Nothing(Box<Response>),
-    /// The whole, or a range of it; of a HEAD request, the headers only.
+    /// The whole content, or a range of it; only the headers for a HEAD request.
     Content { range: Option<Range<u64>>, with_body: bool },
 }
 
-/// What a request wants of a content of `n_bytes`.
+/// The part of a content of `n_bytes` that a request asks for.
 pub(super) fn wanted(method: &Method, headers: &HeaderMap, etag: &str, n_bytes: u64) -> Wanted {
     if is_fresh(headers, etag) {
         return Wanted::Nothing(Box::new(not_modified(etag)));
     }
     let with_body = method != Method::HEAD;
     let if_range = headers.get(header::IF_RANGE);
-    // A range is for GET only, and of the content that the client knows.
+    // A range applies to GET only, and to the content that the client knows.
     let applies = with_body && if_range.is_none_or(|known| known.as_bytes() == etag.as_bytes());
     let asked = headers.get(header::RANGE).filter(|_| applies).and_then(|value| value.to_str().ok());
     match asked.map_or(Asked::Whole, |text| parse(text, n_bytes)) {
@@ -80,7 +80,7 @@ pub(super) fn wanted(method: &Method, headers: &HeaderMap, etag: &str, n_bytes: 
     }
 }
 
-/// What a `Range` header asks for.
+/// The meaning of a `Range` header.
 #[derive(Debug, PartialEq)]
 enum Asked {
     /// Also for several ranges and other units, which a server may ignore.
@@ -120,7 +120,7 @@ pub(super) fn streamed(
     range: Option<&Range<u64>>,
     stream: Option<BlobStream>,
 ) -> Response {
-    // Compression asks once more after the end, at which a stream that is not fused may panic.
+    // Compression polls once more after the end, where a stream that is not fused may panic.
     let body = stream.map_or_else(Body::empty, |stream| Body::from_stream(stream.fuse()));
     let mut response = respond(headers, etag, content_type, body);
     let length = range.map_or(n_bytes, |range| range.end - range.start);

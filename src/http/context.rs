@@ -1,5 +1,5 @@
-//! The outermost layer around every request: request id, log span, metrics, time limit, and a problem document for errors
-//! that no handler has answered.
+//! The outermost layer around every request: request id, log span, metrics, time limit, and a problem document for
+//! errors that no handler has answered.
 
 use super::audit::{Caller, Recording};
 use super::auth::AuthMode;
@@ -18,7 +18,7 @@ use tracing::Instrument;
 /// The header that carries the id of a request.
 pub(crate) const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
 
-/// The header that tells who sends a key where none is asked for that it was not looked at.
+/// The header that tells the sender of a key that the key was not checked, because none is required.
 pub(crate) const AUTHENTICATION: HeaderName = HeaderName::from_static("homolog-authentication");
 
 tokio::task_local! {
@@ -38,14 +38,14 @@ pub(super) fn accepted_id(headers: &HeaderMap) -> String {
     offered.map_or_else(|| uuid::Uuid::now_v7().to_string(), str::to_owned)
 }
 
-/// Time that a submission may take besides its upload: waiting for an upload slot, draining a refused body, checking and
-/// storing two inputs.
+/// Time that a submission may take in addition to its upload: waiting for an upload slot, draining a refused body,
+/// checking and storing two inputs.
 const AFTER_UPLOAD: Duration = Duration::from_secs(240);
 
 /// The route of a request that no route matches, in logs and metrics.
 const UNMATCHED: &str = "none";
 
-/// Requests of supervisors, which are no part of what clients do and get no spans.
+/// Requests of supervisors, which get no spans because they are not part of the clients' work.
 const PROBES: [&str; 3] = ["/healthz", "/readyz", "/metrics"];
 
 /// The method as it appears in logs and metrics: a standard one, or `other`. A client can make up any number of methods,
@@ -74,7 +74,7 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
     if !PROBES.contains(&route.as_str()) {
         sent = Span::of_request(method, &route, traceparent(request.headers()).as_deref());
     }
-    // Whatever is stored or passed on of this request belongs to its span.
+    // Everything that is stored or passed on for this request belongs to its span.
     if let Some(context) = sent.traceparent().and_then(|context| HeaderValue::from_str(&context).ok()) {
         request.headers_mut().insert(TRACEPARENT, context);
     }
@@ -83,7 +83,7 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
     let recording = Recording::of(&state, &caller, &request, &route);
     let began = Instant::now();
     let limit = match (method, route.as_str()) {
-        // The handler limits the upload itself, with a better answer; this covers what follows the upload.
+        // The handler limits the upload itself, with a better answer; this limit covers the steps after the upload.
         ("POST", "/v1/jobs" | "/v1/meshes" | "/v1/batches" | "/v1/studies" | "/v1/studies/{id}/subjects") => {
             state.limits.upload_timeout + AFTER_UPLOAD
         }

@@ -1,7 +1,8 @@
 //! Web pages of other origins, and `OPTIONS` on every route.
 //!
-//! Cross-origin requests are refused unless the operator lists the origin (`--cors-origin`): then browsers let its pages call this
-//! service and read the answers. Cookies are never used, so pages authenticate with keys or tickets as any other client does.
+//! Cross-origin requests are refused unless the operator lists the origin (`--cors-origin`); browsers then let its
+//! pages call this service and read the answers. Cookies are never used, so pages authenticate with keys or tickets, as
+//! other clients do.
 
 use super::context::REQUEST_ID;
 use super::router::HttpState;
@@ -23,7 +24,7 @@ impl CorsOrigins {
     /// Checks an origin as browsers write it: `https://viewer.example` or `http://localhost:3000`, without a path.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The fault of the origin.
     pub fn check(text: &str) -> Result<String, String> {
         let fault = || {
             "an origin such as https://viewer.example or http://localhost:3000 is needed here, without a path"
@@ -89,8 +90,8 @@ impl CorsOrigins {
     }
 }
 
-/// Answers `OPTIONS` with the methods of the route. Preflight requests of browsers are left to the layer of [`CorsOrigins`], where
-/// an origin is listed.
+/// Answers `OPTIONS` with the methods of the route. If an origin is listed, the layer of [`CorsOrigins`] handles
+/// preflight requests of browsers.
 pub(crate) async fn answer_options(State(state): State<HttpState>, mut request: Request, next: Next) -> Response {
     let is_preflight = state.cors != CorsOrigins::default()
         && request.headers().contains_key(header::ORIGIN)
@@ -98,7 +99,7 @@ pub(crate) async fn answer_options(State(state): State<HttpState>, mut request: 
     if request.method() != Method::OPTIONS || is_preflight {
         return next.run(request).await;
     }
-    // No route has this method; the router then adds those that the route has.
+    // No route has this method, so the router adds the methods that the route has.
     *request.method_mut() = Method::TRACE;
     let response = next.run(request).await;
     if response.status() != StatusCode::METHOD_NOT_ALLOWED {

@@ -1,4 +1,4 @@
-//! `?fields=`: lists, and documents, with only the members that a client wants.
+//! `?fields=`: lists and documents with only the members that a client requests.
 
 use super::problem::Problem;
 use super::query::QueryString;
@@ -18,7 +18,7 @@ pub(super) struct Fields<E> {
 }
 
 impl<E: PartialSchema> Fields<E> {
-    /// `?fields=id,state` of a list. Members that its entries cannot have are faults.
+    /// Reads `?fields=id,state` of a list. Members that its entries cannot have are faults.
     pub(super) fn of(query: &mut QueryString) -> Self {
         let kept = query.text("fields").map(|text| {
             let asked: BTreeSet<String> = text.split(',').map(|name| name.trim().to_owned()).collect();
@@ -35,12 +35,12 @@ impl<E: PartialSchema> Fields<E> {
         Fields { kept, entries: PhantomData }
     }
 
-    /// Whether the member `name` is wanted.
+    /// Whether the member `name` is requested.
     pub(super) fn wants(&self, name: &str) -> bool {
         self.kept.as_ref().is_none_or(|kept| kept.contains(name))
     }
 
-    /// The JSON of a document, of these members only.
+    /// The JSON of a document with the requested members only.
     ///
     /// # Errors
     /// A document that JSON cannot represent.
@@ -53,7 +53,7 @@ impl<E: PartialSchema> Fields<E> {
         serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))
     }
 
-    /// The answer with the page of a list: of the entries in its list `name`, these members only.
+    /// The answer with a page of a list; the entries in its list `name` have the requested members only.
     ///
     /// # Errors
     /// A page that JSON cannot represent.

@@ -1,7 +1,8 @@
-//! What coverage-guided fuzzing (`make fuzz PART=json` and so on) gives any bytes to: JSON, multipart forms, headers, queries with
-//! their cursors, and bearer tokens, as the handlers read them. None may panic, take long, or answer with more than a short refusal.
+//! Entry points of coverage-guided fuzzing (`make fuzz PART=json` and so on), which accept any bytes: JSON, multipart
+//! forms, headers, queries with their cursors, and bearer tokens, as the handlers read them. None may panic, take long,
+//! or answer with more than a short refusal.
 //!
-//! The inputs that are kept in `fuzz/kept` are read by a test.
+//! A test reads the inputs that are kept in `fuzz/kept`.
 
 use super::accept::preferred;
 use super::conditional::{etag_of, is_fresh};
@@ -35,7 +36,7 @@ use tokio::runtime::Runtime;
 /// Longest refusal, bytes.
 const MOST: usize = 16 << 10;
 
-/// Runs a future that waits for nothing outside of it.
+/// Runs a future that needs no runtime.
 fn at_once<T>(work: impl Future<Output = T>) -> T {
     static RUNTIME: OnceLock<Option<Runtime>> = OnceLock::new();
     let runtime = RUNTIME.get_or_init(|| tokio::runtime::Builder::new_current_thread().enable_time().build().ok());
@@ -76,7 +77,7 @@ fn limits() -> HttpLimits {
     }
 }
 
-/// A body of JSON, as each of the documents that are accepted.
+/// A JSON body, read as each of the accepted documents.
 pub fn json(bytes: &[u8]) {
     let most = limits().max_parameters_bytes;
     let is_json = serde_json::from_slice::<IgnoredAny>(bytes).is_ok();
@@ -127,7 +128,7 @@ pub fn form(bytes: &[u8]) {
     }
 }
 
-/// The headers of which handlers read a part, one a line: a letter that chooses the name, then the value.
+/// The headers that handlers parse, one a line: a letter that chooses the name, then the value.
 pub fn headers(bytes: &[u8]) {
     const NAMES: [&str; 12] = [
         "accept",
@@ -188,7 +189,7 @@ pub fn query(bytes: &[u8]) {
     let _ = jobs::filter(&mut query);
     let _ = query.number("page_size", 1..=500);
     if let Some(token) = query.text("page_token") {
-        // What is taken for a cursor is one that this service could have issued.
+        // An accepted cursor must be one that this service could have issued.
         assert!(Cursor::from_token(&token).is_none_or(|cursor| cursor.to_token() == token), "{token}");
         assert!(meshes::cursor(&token).is_none_or(|(time, hash)| meshes::token_of(time, &hash) == token), "{token}");
         assert!(keys::cursor(&token).is_none_or(|(time, id)| keys::token_of(time, &id) == token), "{token}");
@@ -198,7 +199,7 @@ pub fn query(bytes: &[u8]) {
     }
 }
 
-/// What stands after `Bearer`: never accepted, because nobody has the private part of the key.
+/// The text after `Bearer`: never accepted, because nobody has the private part of the key.
 pub fn token(bytes: &[u8]) {
     static TOKENS: OnceLock<Option<Tokens>> = OnceLock::new();
     let Ok(text) = std::str::from_utf8(bytes) else { return };
@@ -241,7 +242,7 @@ mod tests {
                 println!("{}", path.display());
                 let bytes = std::fs::read(&path).unwrap();
                 read(&bytes);
-                // Every beginning is an input too, as if the connection had ended there.
+                // Every prefix is an input too, as if the connection had ended there.
                 let step = (bytes.len() / 64).max(1);
                 (0..bytes.len()).step_by(step).for_each(|end| read(&bytes[..end]));
                 n += 1;

@@ -1,7 +1,7 @@
-//! Bounds on the head of a request, answered with a problem document.
+//! Limits on the head of a request, answered with a problem document.
 //!
-//! hyper has bounds of its own, which it answers before any service sees the request: a request line that is no HTTP, more
-//! than 100 headers, a target of more than 65,534 bytes. Those answers have a status and no body, and the connection is closed.
+//! hyper enforces its own limits before any service sees the request: a request line that is not HTTP, more than 100
+//! headers, a target of more than 65,534 bytes. Those answers have a status and no body, and the connection is closed.
 
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
@@ -15,7 +15,7 @@ const MAX_TARGET_BYTES: usize = 16 << 10;
 /// Most bytes of all names and values of headers: a token of OpenID Connect with many claims takes a quarter.
 const MAX_HEADER_BYTES: usize = 64 << 10;
 
-/// Refuses requests whose target or headers are too long, before anything else is done.
+/// Refuses requests whose target or headers are too long, before any other check.
 pub(super) async fn check_head(request: Request, next: Next) -> Response {
     let target = request.uri().path_and_query().map_or(0, |target| target.as_str().len());
     if target > MAX_TARGET_BYTES {

@@ -1,11 +1,12 @@
 //! Host validation against DNS rebinding.
 //!
-//! Where nobody is authenticated, whoever can connect may do everything. A web page in a browser that can connect could do so
-//! too, under a host name that resolves to the address of the service (DNS rebinding). The browser sends that name in `Host`,
-//! and the origin of the page in `Origin`; so both have to name this machine, or a name that the operator allows.
+//! Without authentication, everybody who can connect may do everything, including a web page in a browser that can
+//! connect, under a host name that resolves to the address of the service (DNS rebinding). The browser sends that name
+//! in `Host` and the origin of the page in `Origin`. Both must therefore name this machine, or a name that the operator
+//! allows.
 //!
-//! This holds whatever the address: inside a container, the service listens on all of them. Probes of a supervisor name the
-//! service by any address and learn nothing but that it is alive, so their paths are not checked.
+//! This applies to every address, because inside a container the service listens on all of them. The paths of probes
+//! are not checked: supervisors name the service by any address and learn only that it is alive.
 
 use super::cors::CorsOrigins;
 use super::problem::Problem;
@@ -28,12 +29,12 @@ pub struct AllowedHosts {
 const PROBES: [&str; 2] = ["/healthz", "/readyz"];
 
 impl AllowedHosts {
-    /// These names, without port; case does not matter.
+    /// Allows these names, without port; case does not matter.
     pub fn new(names: impl IntoIterator<Item = String>) -> Self {
         AllowedHosts { names: names.into_iter().map(|name| canonical(&name)).collect() }
     }
 
-    /// Whether `Host` names an allowed host, and so does `Origin` if there is one, unless the operator lists it.
+    /// Whether `Host` names an allowed host. `Origin`, if present, must also name one, unless the operator lists it.
     pub(super) fn allow(&self, uri: &Uri, headers: &HeaderMap, origins: &CorsOrigins) -> bool {
         let mut hosts = headers.get_all(header::HOST).iter().peekable();
         // No current client omits the host.
@@ -56,14 +57,14 @@ impl AllowedHosts {
     }
 }
 
-/// Lower case, without the brackets of an address and the final dot of a name.
+/// The name in lower case, without the brackets of an address and the final dot of a name.
 fn canonical(name: &str) -> String {
     let name = name.trim();
     let bare = name.strip_prefix('[').and_then(|n| n.strip_suffix(']')).unwrap_or(name);
     bare.strip_suffix('.').unwrap_or(bare).to_ascii_lowercase()
 }
 
-/// Refuses requests that name another host, before anything else is done.
+/// Refuses requests that name another host, before any other check.
 pub(crate) async fn check_host(State(state): State<HttpState>, request: Request, next: Next) -> Response {
     match &state.hosts {
         Some(hosts)

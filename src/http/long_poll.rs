@@ -1,9 +1,10 @@
-//! Long polls: `?wait=N` delays an answer until the resource has changed, and weak ETags that name what counts as a change.
+//! Long polls: `?wait=N` delays an answer until the resource has changed, and weak ETags identify the version.
 //!
-//! A [`Version`] has two parts. The state is everything that a client acts on at once, such as a job that ended; a change
-//! of it is answered immediately. The progress changes all the time while a job runs; a change of it alone is answered
-//! [`PROGRESS_INTERVAL`] after the request at the earliest, so that a client that asks again after each answer makes one
-//! request a second. What neither part holds, such as the estimated remaining time, is in the body but is no change.
+//! A [`Version`] has two parts. The state is everything that a client reacts to at once, such as the end of a job; a
+//! change of it is answered immediately. The progress changes all the time while a job runs. A change of progress alone
+//! is answered [`PROGRESS_INTERVAL`] after the request at the earliest, so that a client that asks again after each
+//! answer makes one request a second. Members outside both parts, such as the estimated remaining time, are in the body
+//! but do not count as a change.
 
 use super::auth::Rights;
 use super::conditional::{not_modified, with_etag};
@@ -23,27 +24,27 @@ use tokio::time::{Instant, sleep_until};
 
 /// Longest wait of a request, s.
 pub(super) const MAX_WAIT_S: u32 = 30;
-/// Least time from a request to an answer that reports nothing but progress.
+/// Least time from a request to an answer that reports only progress.
 const PROGRESS_INTERVAL: Duration = Duration::from_secs(1);
-/// Left of a request's time limit for the answer after the wait.
+/// Part of a request's time limit that is reserved for the answer after the wait.
 const RESERVE: Duration = Duration::from_millis(500);
 /// Hexadecimal digits of each part of an ETag.
 const DIGITS: usize = 24;
 
-/// The parameter `wait`, cut so that the answer leaves before the request's time limit.
+/// The parameter `wait`, shortened so that the answer leaves before the request's time limit.
 pub(super) fn wait_of(query: &mut QueryString, state: &HttpState) -> Duration {
     let wait = Duration::from_secs(query.number("wait", 0..=MAX_WAIT_S).unwrap_or(0).into());
     wait.min(state.limits.request_timeout.saturating_sub(RESERVE))
 }
 
-/// What a client acts on, as digests of its two parts.
+/// The state and the progress of a resource, as digests.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Version {
     state: String,
     progress: String,
 }
 
-/// How a version differs from those that a client knows.
+/// The difference between a version and those that a client knows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Difference {
     None,
@@ -52,12 +53,13 @@ enum Difference {
 }
 
 impl Version {
-    /// The version of a resource whose parts are these.
+    /// The version of a resource with this state and progress.
     pub(super) fn of(state: &impl Serialize, progress: &impl Serialize) -> Result<Self, Problem> {
         Ok(Version { state: digest(state)?, progress: digest(progress)? })
     }
 
-    /// Weak (RFC 9110, section 8.8.1), because bodies of one version may differ in what is no change.
+    /// A weak ETag (RFC 9110, section 8.8.1), because bodies of one version may differ in members that do not count as
+    /// a change.
     fn etag(&self) -> String {
         format!("W/\"{}.{}\"", self.state, self.progress)
     }
@@ -80,12 +82,12 @@ fn digest(part: &impl Serialize) -> Result<String, Problem> {
 #[derive(Debug)]
 struct Known {
     versions: Vec<Version>,
-    /// Whether `If-None-Match` named them: then an unchanged resource is answered with 304.
+    /// Whether `If-None-Match` named them; an unchanged resource is then answered with 304.
     is_conditional: bool,
 }
 
 impl Known {
-    /// Those of `If-None-Match`. Without it, and for `*`, the version at the time of the request.
+    /// The versions in `If-None-Match`. Without it, and for `*`, the version at the time of the request.
     fn of(headers: &HeaderMap, current: &Version) -> Self {
         let mut lines = headers.get_all(header::IF_NONE_MATCH).iter().peekable();
         let is_conditional = lines.peek().is_some();
@@ -107,29 +109,29 @@ impl Known {
     }
 }
 
-/// A resource as it is now.
+/// The present content of a resource.
 #[derive(Debug)]
 pub(super) struct Snapshot {
     pub(super) version: Version,
     /// JSON.
     pub(super) body: Vec<u8>,
-    /// Whether nothing will change any more; then a wait would be in vain.
+    /// Whether the resource is final; waiting for a change would be pointless.
     pub(super) is_final: bool,
 }
 
 /// A resource that can be waited for.
 #[async_trait]
 pub(super) trait Resource: Sync {
-    /// What its feed shows.
+    /// The data that its feed shows.
     type Seen: Send + Sync;
 
-    /// The resource as the store has it now.
+    /// Reads the resource from the store.
     async fn look(&self) -> Result<Snapshot, Problem>;
 
-    /// Follows it; asked only if there is something to wait for.
+    /// Follows the resource; called only if it can change.
     async fn follow(&self) -> Result<Arc<Feed<Self::Seen>>, Problem>;
 
-    /// The version of what the feed shows.
+    /// The version of the feed's data.
     fn version(&self, seen: &Self::Seen) -> Result<Version, Problem>;
 }
 
@@ -153,12 +155,12 @@ pub(super) async fn answer(
     let earliest = until.min(asked + PROGRESS_INTERVAL);
     let feed = resource.follow().await?;
     let mut seen = feed.seen();
-    // It may have changed between the two reads.
+    // The resource may have changed between the two reads.
     seen.mark_changed();
     let mut has_progressed = difference == Difference::Progress;
     loop {
         let ended = tokio::select! {
-            // An error says that the reader has ended: nothing changes any more.
+            // An error means that the reader has ended: the resource is final.
             changed = seen.changed() => changed.is_err(),
             () = sleep_until(if has_progressed { earliest } else { until }) => true,
             () = state.stop.cancelled() => true,
@@ -177,7 +179,7 @@ pub(super) async fn answer(
         }
         // A key may have been revoked during the wait.
         rights.ask(Scope::Read).await?;
-        // The feed says when to look, and may lag behind; the answer is what the store says now.
+        // The feed says when to read, and may lag behind; the answer is what the store returns now.
         let snapshot = resource.look().await?;
         let has_changed = known.difference(&snapshot.version) != Difference::None;
         if has_changed || snapshot.is_final || now >= until || state.stop.is_cancelled() || seen.has_changed().is_err()

@@ -1,12 +1,15 @@
 //! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
 //! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
-//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] and `study_wire` (JSON forms), `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (slim lists), `conditional` and `long_poll` (ETags
-//! and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans, metrics), `audit` (what is recorded), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets), [`hosts`] (host validation) and `cors` (pages of other origins), [`server`]
-//! (connections), `page` (the dashboard); `fuzzed` is what fuzzing calls.
+//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] and `study_wire` (JSON forms),
+//! `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (lists with selected
+//! members), `conditional` and `long_poll` (ETags and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans,
+//! metrics), `audit` (recorded requests), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets),
+//! [`hosts`] (host validation) and `cors` (pages of other origins), [`server`] (connections), `page` (the dashboard);
+//! `fuzzed` holds the entry points of fuzzing.
 //!
-//! Invariant: every error answer is `application/problem+json`; an answer of 5xx hides its cause and carries the
-//! request id. Nothing here knows a store or how a match is computed.
+//! Invariant: every error answer is `application/problem+json`; a 5xx answer hides its cause and carries the request
+//! id. This module knows neither the stores nor how a match is computed.
 
 mod accept;
 mod audit;

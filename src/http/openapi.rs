@@ -45,16 +45,17 @@ impl Modify for Keys {
     }
 }
 
-/// Everything but the routes.
+/// The document without its routes.
 pub(super) fn document() -> utoipa::openapi::OpenApi {
     Description::openapi()
 }
 
-/// Gives the parameters every bound that the service enforces, and files a schema from which generators make a stream of bytes.
+/// Gives the parameters every bound that the service enforces, and gives files a schema that client generators read as
+/// a stream of bytes.
 fn complete_schemas(document: &mut utoipa::openapi::OpenApi) {
     let schemas = &mut document.components.get_or_insert_default().schemas;
     schemas.extend(parameter_schemas());
-    // Without an example the page at /docs makes one up, of extremes.
+    // Without an example the page at /docs would make one up from extreme values.
     if let Some(RefOr::T(Schema::Object(parameters))) = schemas.get_mut("PartialParameters") {
         parameters.example = Some(serde_json::json!({}));
     }

@@ -1,4 +1,4 @@
-//! The least rate of a transfer: whoever sends or reads more slowly holds what others wait for.
+//! The least rate of a transfer: a slow client holds slots and memory for which others wait.
 
 use std::pin::Pin;
 use std::task::{Context, Poll};
@@ -10,14 +10,14 @@ use tokio::time::{Instant, Sleep, sleep};
 pub struct LeastRate {
     /// Bytes a second.
     pub bytes_per_s: u64,
-    /// How long the peer may do nothing; also how far it may fall behind the rate.
+    /// How long the peer may be idle, and how far it may fall behind the rate.
     pub patience: Duration,
 }
 
-/// A peer's progress. Only the time counts in which this process waits for the peer.
+/// A peer's progress. Only the time in which this process waits for the peer counts.
 ///
-/// It is a bucket of time: waiting empties it, each byte refills it by the time that it may take, and it holds no more than
-/// the patience.
+/// It is a bucket of time: waiting empties it, each byte refills it by the time that the byte may take, and its
+/// capacity is the patience.
 #[derive(Debug)]
 pub(super) struct Pace {
     least: LeastRate,
@@ -30,7 +30,7 @@ impl Pace {
         Pace { least, left: least.patience, waiting: None }
     }
 
-    /// The peer has moved `n` bytes.
+    /// Records that the peer has moved `n` bytes.
     pub(super) fn moved(&mut self, n: usize) {
         if let Some((since, _)) = self.waiting.take() {
             self.left = self.left.saturating_sub(since.elapsed());
@@ -39,7 +39,7 @@ impl Pace {
         self.left = self.left.saturating_add(gained).min(self.least.patience);
     }
 
-    /// The peer moves nothing now. Ready once it is too slow; wakes the task then.
+    /// Records that the peer moves nothing. Ready once it is too slow; wakes the task then.
     pub(super) fn poll_too_slow(&mut self, cx: &mut Context<'_>) -> Poll<()> {
         let left = self.left;
         let (_, alarm) = self.waiting.get_or_insert_with(|| (Instant::now(), Box::pin(sleep(left))));

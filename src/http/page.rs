@@ -1,7 +1,7 @@
-//! The dashboard at `/`: a static page, built into the program, that shows what the API answers.
+//! The dashboard at `/`: a static page, built into the program, that shows answers of the API.
 //!
-//! It needs no key, since it contains nothing but itself: whoever opens it enters a key, with which it calls the API. All
-//! its addresses are relative, so that it works behind a proxy that serves it under a path of its own.
+//! The page is public, because it contains no data: users enter a key, with which the page calls the API. All its
+//! addresses are relative, so that it works behind a proxy that serves it under another path.
 
 use super::conditional::{etag_of, respond};
 use super::problem::Problem;
@@ -16,19 +16,19 @@ struct PageFile {
     bytes: &'static [u8],
 }
 
-// FILES: what `make dashboard` has written to dashboard/dist, listed by build.rs.
+// FILES: the files that `make dashboard` has written to dashboard/dist, listed by build.rs.
 include!(concat!(env!("OUT_DIR"), "/page_files.rs"));
 
-/// Scripts and styles come from files of the page alone; nothing is loaded from or sent to another origin. Pictures that the
-/// page makes itself, to be saved, are `blob:`.
+/// Scripts and styles come only from files of the page; nothing is loaded from or sent to another origin. Pictures that
+/// the page makes for saving are `blob:`.
 const POLICY: HeaderValue = HeaderValue::from_static(
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; \
      base-uri 'none'; form-action 'none'; frame-ancestors 'none'",
 );
 
-/// The name of a script, style or drawing contains the hash of its content, so that it never changes.
+/// The name of a script, style or drawing contains the hash of its content, so the file never changes.
 const FOREVER: HeaderValue = HeaderValue::from_static("public, max-age=31536000, immutable");
-/// Which assets the page names changes with the program.
+/// The assets that the page names change with the program.
 const ASK_AGAIN: HeaderValue = HeaderValue::from_static("no-cache");
 
 /// The page.

@@ -77,7 +77,7 @@ impl Problem {
         Problem { kind, detail: None, retry_after_s: None, members: Map::new() }
     }
 
-    /// Its kind.
+    /// The kind of the problem.
     pub(super) fn kind(&self) -> ProblemKind {
         self.kind
     }
@@ -132,7 +132,7 @@ fn chain(error: &dyn std::error::Error) -> String {
     text
 }
 
-/// Begins to count problems of every type: an increase can be seen only of a series that was there before.
+/// Begins to count problems of every type: an increase is visible only in a series that already exists.
 pub(super) fn begin_to_count() {
     for kind in ProblemKind::ALL {
         metrics::counter!("homolog_problems_total", "type" => kind.entry().slug).increment(0);
@@ -167,7 +167,7 @@ impl IntoResponse for Problem {
 }
 
 fn of_study(kind: ProblemKind, state: StudyState) -> Problem {
-    // Not the member `state`, which is that of a job.
+    // Not the member `state`, which is the state of a job.
     Problem::new(kind).detail(format!("the study is {}", state.name())).member("study_state", state.name().into())
 }
 

@@ -184,7 +184,7 @@ impl ProblemKind {
         ProblemKind::ALL.iter().copied().find(|kind| kind.entry().slug == slug)
     }
 
-    /// The kind for an error of which only the status is known.
+    /// The kind for an error if only the status is known.
     pub(crate) fn from_status(status: StatusCode) -> ProblemKind {
         match status {
             StatusCode::NOT_FOUND => ProblemKind::RouteNotFound,

@@ -11,7 +11,7 @@ use std::str::FromStr;
 /// Most faults that are listed in an answer.
 const MAX_FAULTS: usize = 16;
 
-/// The parameters of a query string, taken out one by one; [`QueryString::finish`] refuses the rest.
+/// The parameters of a query string, taken out one by one; [`QueryString::finish`] refuses the remaining ones.
 #[derive(Debug)]
 pub(crate) struct QueryString {
     pairs: Vec<(String, String)>,
@@ -27,10 +27,10 @@ impl<S: Send + Sync> FromRequestParts<S> for QueryString {
             Ok(Query(pairs)) => {
                 let mut query = QueryString { pairs, faults: Vec::new() };
                 if is_ticketed {
-                    // Whoever authenticates the request has read it.
+                    // Authentication has already read the ticket.
                     query.pairs.retain(|(name, _)| name != TICKET);
                 }
-                // No stored text contains one, and not every database can be asked for it.
+                // No stored text contains a NUL, and not every database accepts one in a query.
                 if query.pairs.iter().any(|(name, value)| name.contains('\0') || value.contains('\0')) {
                     query.pairs.retain(|(name, value)| !name.contains('\0') && !value.contains('\0'));
                     query.faults.push(FieldError::new("/query", "out_of_range", "must not contain NUL characters"));

@@ -1,15 +1,15 @@
-//! The rate of requests of each tenant, bounded by a token bucket: so many a second on average, and so many at once.
+//! The rate of requests of each tenant, limited by a token bucket: an average number a second, and a number at once.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Seconds of requests that a tenant may send at once after a pause.
+/// Length of a burst, in seconds of requests at the average rate.
 const BURST_S: u32 = 10;
-/// Owners after which those that have paused long enough are forgotten.
+/// Number of owners above which idle ones are forgotten.
 const MANY: usize = 10_000;
 
-/// Requests that each owner may send.
+/// The remaining requests of each owner.
 #[derive(Debug)]
 pub(super) struct RequestRate {
     per_s: u32,
@@ -23,7 +23,7 @@ struct Bucket {
 }
 
 impl RequestRate {
-    /// `per_s` requests a second; 0: any number.
+    /// A limit of `per_s` requests a second; 0: no limit.
     pub(super) fn new(per_s: u32) -> Self {
         RequestRate { per_s, buckets: Mutex::default() }
     }
@@ -41,7 +41,7 @@ impl RequestRate {
     /// Counts a request at this time.
     ///
     /// # Errors
-    /// The time after which the next one is allowed.
+    /// The time after which the next request is allowed.
     pub(super) fn take(&self, owner: &str, now: Instant) -> Result<(), Duration> {
         if self.per_s == 0 {
             return Ok(());
@@ -52,7 +52,7 @@ impl RequestRate {
         };
         let mut buckets = self.buckets.lock().unwrap_or_else(PoisonError::into_inner);
         if buckets.len() >= MANY && !buckets.contains_key(owner) {
-            // A full bucket is as good as none.
+            // A full bucket need not be stored.
             buckets.retain(|_, bucket| filled(bucket) < burst);
         }
         let bucket = buckets.entry(owner.to_owned()).or_insert(Bucket { tokens: burst, at: now });

@@ -1,4 +1,4 @@
-//! Representations of results: the format is chosen by `?format=`, else by `Accept`; each has an ETag of its own.
+//! Representations of results: `?format=` chooses the format, otherwise `Accept`; each format has its own ETag.
 
 use super::accept::preferred;
 use super::compression::{Gains, gains};
@@ -15,12 +15,13 @@ use axum::http::{HeaderMap, HeaderValue, Method, header};
 use axum::response::{IntoResponse, Response};
 use serde_json::json;
 
-/// A page of this service may run its own scripts, as its own policy says, but not in the name of this service.
+/// A page of this service may run its own scripts, as its own policy says, but not with the rights of this service's
+/// origin.
 pub(super) const PAGE_POLICY: HeaderValue = HeaderValue::from_static("sandbox allow-scripts; frame-ancestors 'none'");
 
 /// The headers of a format.
 struct Form {
-    /// Compared with `Accept`.
+    /// The type that is compared with `Accept`.
     media_type: &'static str,
     /// `Content-Type`.
     content_type: &'static str,
@@ -51,14 +52,14 @@ fn form(format: PartFormat) -> Form {
     Form { media_type, content_type, ending }
 }
 
-/// How a client asks for a part.
+/// How a client requests a part.
 pub(super) struct Asking<'a> {
     pub(super) method: &'a Method,
     pub(super) headers: &'a HeaderMap,
     pub(super) origin: Origin,
 }
 
-/// What is answered.
+/// The chosen answer.
 struct Chosen {
     part: ResultPart,
     format: PartFormat,
@@ -87,7 +88,7 @@ pub(super) async fn answer(
     Ok(varying(named(response, id, part, form.ending)))
 }
 
-/// Answers a part of a job's result in this format, as bytes to be saved.
+/// Answers a part of a job's result in this format, as bytes to save.
 pub(super) async fn answer_file(
     state: &HttpState,
     tenant: &Tenant,
@@ -102,8 +103,8 @@ pub(super) async fn answer_file(
     Ok(named(response, id, part, Some(form(format).ending.unwrap_or(format.name()))))
 }
 
-/// The content of a part in this format: streamed if it is stored in it, else converted in memory, which is counted until the
-/// answer is sent.
+/// The content of a part in this format. It is streamed if it is stored in this format; otherwise it is converted in
+/// memory, which is counted until the answer is sent.
 async fn content(
     state: &HttpState,
     tenant: &Tenant,
@@ -136,7 +137,7 @@ async fn content(
     })
 }
 
-/// The UIDs that a request gives for inputs that have none, for a part that can be a DICOM object.
+/// The UIDs that a request supplies for inputs without UIDs, for a part that can be a DICOM object.
 pub(super) fn given_uids(part: ResultPart, query: &mut QueryString) -> GivenUids {
     if !part.formats().contains(&PartFormat::Dicom) {
         return GivenUids::default();

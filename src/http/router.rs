@@ -29,7 +29,8 @@ use tower_http::compression::{CompressionLayer, CompressionLevel};
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
-/// Memory that a body takes for each of its bytes: while it is read it is in memory, and so is what is decoded from it.
+/// Memory for each byte of a body that is decoded: while the body is read, both the body and the decoded form are in
+/// memory.
 pub(super) const IN_MEMORY: u64 = 2;
 /// Memory for each byte of a body that is stored as it arrives.
 pub(super) const AS_IT_ARRIVES: u64 = 0;
@@ -43,19 +44,19 @@ pub struct HttpLimits {
     pub max_json_bytes: usize,
     /// Largest parameters of a match.
     pub max_parameters_bytes: usize,
-    /// Most jobs of a batch; of a longer list no more is kept.
+    /// Most jobs of a batch; further entries of a longer list are not kept.
     pub max_batch: usize,
     /// Bodies read at the same time; one tenant has at most half of them.
     pub max_uploads: usize,
     /// Memory of all bodies that are being read and checked; one tenant has at most half of it, or one body.
     pub max_body_memory_bytes: u64,
-    /// Memory of all answers that are being sent and are not read from the store as they are sent; shared in the same way.
+    /// Memory of all answers being sent, except those streamed from the store; shared in the same way.
     pub max_answer_memory_bytes: u64,
     /// The least rate at which a body arrives.
     pub least_rate: LeastRate,
-    /// Event streams and long polls of a tenant at the same time, and those of an address.
+    /// Most event streams and long polls of a tenant at the same time, and of an address.
     pub max_streams: u32,
-    /// Longest time between two looks at whether the key of an open stream is still valid.
+    /// Longest time between two checks whether the key of an open stream is still valid.
     pub access_interval: Duration,
     /// Longest wait for a slot, and for memory.
     pub max_upload_wait: Duration,
@@ -93,14 +94,14 @@ pub struct HttpState {
     pub hosts: Option<Arc<AllowedHosts>>,
     /// Origins whose pages may use the service.
     pub cors: CorsOrigins,
-    /// Verifies tokens, where an OpenID Connect provider is set.
+    /// Verifies tokens, if an OpenID Connect provider is set.
     pub tokens: Option<Arc<Tokens>>,
     /// Cancelled when the process shuts down; long polls then answer at once.
     pub stop: CancellationToken,
     stocks: Arc<Stocks>,
 }
 
-/// What requests share.
+/// The resources that requests share.
 struct Stocks {
     bodies: Arc<Shares>,
     body_memory: Arc<Shares>,
@@ -113,7 +114,7 @@ impl Stocks {
     fn new(limits: &HttpLimits) -> Self {
         let half = |total: u64| total.div_ceil(2);
         let bodies = (limits.max_uploads as u64).max(1);
-        // The largest body that is allowed fits, whatever the setting.
+        // The largest allowed body fits, whatever the setting.
         let largest = (limits.max_body_bytes() as u64).saturating_mul(IN_MEMORY);
         let memory = limits.max_body_memory_bytes.max(largest);
         let streams = u64::from(limits.max_streams);
@@ -144,7 +145,7 @@ impl HttpState {
         }
     }
 
-    /// Accepts tokens too.
+    /// Also accepts tokens.
     #[must_use]
     pub fn with_tokens(mut self, tokens: Option<Tokens>) -> Self {
         self.tokens = tokens.map(Arc::new);
@@ -182,8 +183,8 @@ impl HttpState {
             .retry_after(seconds))
     }
 
-    /// Begins to read a body, which takes `factor` times its size of memory. Its slot and its memory are returned when the
-    /// tap is dropped.
+    /// Begins to read a body, which takes memory of `factor` times its size. Its slot and its memory are returned when
+    /// the tap is dropped.
     ///
     /// # Errors
     /// `busy` if no slot becomes free in time.
@@ -204,7 +205,7 @@ impl HttpState {
         Ok(())
     }
 
-    /// A place for an event stream or a long poll, among those of the tenant and those of the address.
+    /// A place for an event stream or a long poll, within the limits of the tenant and of the address.
     ///
     /// # Errors
     /// `too-many-streams`.
@@ -215,17 +216,17 @@ impl HttpState {
         };
         let of_tenant = self.stocks.streams.try_take(tenant.name(), 1).ok_or_else(too_many)?;
         let of_address = match address {
-            // An address has a dot or a colon, which no tenant has.
+            // An address contains a dot or a colon, which no tenant's name does.
             Some(address) => Some(self.stocks.streams.try_take(&address.to_string(), 1).ok_or_else(too_many)?),
             None => None,
         };
         Ok([Some(of_tenant), of_address])
     }
 
-    /// Memory for an answer of `n` bytes, held until it is sent.
+    /// Memory for an answer of `n` bytes, held until the answer is sent.
     ///
     /// # Errors
-    /// `busy` if there is not so much for this tenant in time.
+    /// `busy` if this tenant does not get the memory in time.
     pub(super) async fn answer_memory(&self, tenant: &Tenant, origin: Origin, n: usize) -> Result<Taken, Problem> {
         let owner = owner(self.auth, tenant, origin);
         // An answer that is larger than a share takes the whole share.
@@ -234,7 +235,7 @@ impl HttpState {
         taken.ok_or_else(|| Problem::new(ProblemKind::Busy).retry_after(5))
     }
 
-    /// Sets the text that `/metrics` answers.
+    /// Sets the text that `/metrics` returns.
     #[must_use]
     pub fn with_metrics(mut self, metrics: impl Fn() -> String + Send + Sync + 'static) -> Self {
         self.metrics = Arc::new(metrics);

@@ -1,8 +1,8 @@
-//! The server loop: accepts connections up to a limit, limits the time for request headers and for reading an answer, and
-//! shuts down gracefully.
+//! The server loop: accepts connections up to a limit, limits the time for request headers and for reading an answer,
+//! and shuts down gracefully.
 //!
-//! HTTP/1.1, with TLS if there are certificates. hyper's own connection is used and not the one that detects HTTP/2, because detection reads
-//! the first bytes without a time limit.
+//! It serves HTTP/1.1, with TLS if there are certificates. It uses hyper's HTTP/1 connection and not the one that
+//! detects HTTP/2, because detection reads the first bytes without a time limit.
 
 use super::pace::{LeastRate, Pace};
 use super::shares::Peer;
@@ -32,8 +32,8 @@ const EXHAUSTED: Duration = Duration::from_millis(500);
 /// Bounds on connections.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConnectionLimits {
-    /// Longest time from the opening of a connection, or from its last answer, to the end of the next request's headers; so
-    /// also the longest time that a connection can be idle.
+    /// Longest time from the opening of a connection, or from its last answer, to the end of the next request's
+    /// headers; this also limits how long a connection can be idle.
     pub header_timeout: Duration,
     /// Maximum number of open connections. Further ones wait in the backlog of the operating system.
     pub max_connections: usize,
@@ -48,7 +48,7 @@ struct PacedStream {
 }
 
 impl PacedStream {
-    /// Counts what was written, or the time in which the client does not read.
+    /// Counts the written bytes, or the time in which the client does not read.
     fn counted(&mut self, cx: &mut Context<'_>, written: Poll<io::Result<usize>>) -> Poll<io::Result<usize>> {
         match &written {
             Poll::Ready(Ok(n)) => self.pace.moved(*n),
@@ -96,19 +96,19 @@ impl AsyncWrite for PacedStream {
     }
 }
 
-/// What is served on an address.
+/// A server on one address.
 pub struct Served {
     /// The address.
     pub listener: TcpListener,
-    /// What answers.
+    /// The router that answers requests.
     pub router: Router,
-    /// Bounds on its connections.
+    /// Limits on its connections.
     pub limits: ConnectionLimits,
-    /// The certificates; without them it is served without TLS.
+    /// The certificates; `None`: no TLS.
     pub tls: Option<Arc<ServerTls>>,
 }
 
-/// Serves until `stop`. Then no connection is accepted any more, idle connections are closed at once, and requests in
+/// Serves until `stop`. Then no further connection is accepted, idle connections are closed at once, and requests in
 /// progress are completed. Dropping the future closes all connections.
 pub async fn serve(served: Served, stop: CancellationToken) {
     let Served { listener, router, limits, tls } = served;
@@ -133,8 +133,8 @@ pub async fn serve(served: Served, stop: CancellationToken) {
             let _permit = permit;
             let stream = PacedStream { stream, pace: Pace::new(limits.least_rate) };
             let Some(tls) = tls else { return serve_connection(stream, address, &http, router, stop).await };
-            // Within the time for headers, so that a client that begins no handshake holds its place no longer than one that
-            // sends no request.
+            // Limited by the time for headers, so that a client that begins no handshake holds its place no longer than
+            // one that sends no request.
             let handshake = TlsAcceptor::from(tls.config()).accept(stream);
             match tokio::time::timeout(limits.header_timeout, handshake).await {
                 Ok(Ok(stream)) => serve_connection(stream, address, &http, router, stop).await,
@@ -190,7 +190,7 @@ async fn serve_connection(
         }
     };
     if let Err(error) = ended {
-        // Clients disconnect all the time; the address stays out of the log.
+        // Clients disconnect all the time; the address is kept out of the log.
         tracing::debug!(%error, "a connection was closed early");
     }
 }

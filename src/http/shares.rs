@@ -1,5 +1,5 @@
-//! A stock that requests share: slots, bytes of memory, streams. No owner holds more than a share of it, so that one client
-//! cannot keep it from the others.
+//! A stock that requests share: slots, bytes of memory, streams. Each owner holds at most a share of it, so that no
+//! client can exhaust it.
 
 use super::auth::AuthMode;
 use super::router::HttpState;
@@ -18,7 +18,7 @@ use tokio::sync::Notify;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Peer(pub(super) IpAddr);
 
-/// Where a request comes from; unknown where no server loop is in front.
+/// The origin of a request; unknown without a server loop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Origin(pub(super) Option<IpAddr>);
 
@@ -40,7 +40,7 @@ impl FromRequestParts<HttpState> for Origin {
     }
 }
 
-/// The name under which a request takes its share: its tenant; its address where nobody is authenticated.
+/// The owner of a request's share: its tenant, or its address if requests are not authenticated.
 pub(super) fn owner(auth: AuthMode, tenant: &Tenant, origin: Origin) -> String {
     match (auth, origin.0) {
         (AuthMode::None, Some(address)) => address.to_string(),
@@ -57,7 +57,7 @@ pub(super) struct Shares {
     returned: Notify,
 }
 
-/// A part of the stock; dropping it returns the part.
+/// A part of the stock, which is returned when dropped.
 #[derive(Debug)]
 pub(super) struct Taken {
     shares: Arc<Shares>,
@@ -66,7 +66,7 @@ pub(super) struct Taken {
 }
 
 impl Shares {
-    /// A stock of `total`, of which an owner may hold `each`.
+    /// A stock of `total`, of which each owner may hold `each`.
     pub(super) fn new(total: u64, each: u64) -> Arc<Self> {
         Arc::new(Shares { total, each, taken: Mutex::default(), returned: Notify::new() })
     }
@@ -86,12 +86,12 @@ impl Shares {
         fits
     }
 
-    /// `n` of the stock, if there is so much for this owner.
+    /// Takes `n` of the stock, if this owner may have so much and it is free.
     pub(super) fn try_take(self: &Arc<Self>, owner: &str, n: u64) -> Option<Taken> {
         self.add(owner, n).then(|| Taken { shares: Arc::clone(self), owner: owner.to_owned(), n })
     }
 
-    /// `n` of the stock; `None` if there is not so much for this owner within `wait`.
+    /// Takes `n` of the stock; `None` if this owner cannot have so much within `wait`.
     pub(super) async fn take(self: &Arc<Self>, owner: &str, n: u64, wait: Duration) -> Option<Taken> {
         let taking = async {
             loop {
@@ -112,7 +112,7 @@ impl Shares {
 }
 
 impl Taken {
-    /// Takes `n` more, if there is so much.
+    /// Takes `n` more, if so much is available.
     pub(super) fn grow(&mut self, n: u64) -> bool {
         let grown = self.shares.add(&self.owner, n);
         self.n += if grown { n } else { 0 };

@@ -1,8 +1,8 @@
 //! JSON bodies, read into typed forms under limits.
 //!
-//! Nothing that a client sends becomes a tree of unknown size: a value of any form takes a hundred times the memory of its
-//! text. What may have any form, the parameters of a match, has a limit of its own; lists and labels are read up to
-//! the largest number that is accepted. A member that is given twice is refused, since readers differ in which one counts.
+//! No input becomes a JSON tree of unbounded size: such a tree takes a hundred times the memory of its text. The
+//! parameters of a match, which may have any form, have a separate limit; lists and labels are read up to the largest
+//! accepted number. A repeated member is refused, because readers differ in which one counts.
 
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
@@ -17,19 +17,20 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
-/// Longest list of a body: the largest number that the setting for jobs of a batch can have.
+/// Longest list in a body: the largest value of the setting for jobs of a batch.
 pub(crate) const MAX_LIST: usize = 100_000;
 /// Longest pointer in an answer.
 const MAX_POINTER: usize = 256;
-/// Bytes of text for which each value of the parameters counts at least, so that many small ones are bounded too.
+/// Least number of bytes that each value of the parameters counts, so that many small values are limited too.
 const LEAST_VALUE: usize = 8;
-/// In the text of an error: the parameters are too large.
+/// Marks an error of serde: the parameters are too large.
 const NO_ROOM: &str = "the parameters are too large";
 
 thread_local! {
-    /// What is left for parameters in the body that this thread is reading. Bodies are read without a pause.
+    /// Remaining bytes for parameters in the body that this thread is reading. Bodies are read without yielding.
     static ROOM: Cell<usize> = const { Cell::new(0) };
-    /// Entries of a list that are kept; further ones are only counted, because one too many is enough to refuse the list.
+    /// Number of kept entries of a list; further ones are only counted, because one too many is enough to refuse the
+    /// list.
     static KEPT: Cell<usize> = const { Cell::new(0) };
 }
 
@@ -39,11 +40,11 @@ fn take_room<E: Error>(n: usize) -> Result<(), E> {
     Ok(())
 }
 
-/// Reads a body of JSON; `max_parameters` bytes of it may be parameters. A list of more than `max_list` entries is read as one of
-/// one more.
+/// Reads a JSON body, of which at most `max_parameters` bytes may be parameters. A list with more than `max_list`
+/// entries is read as a list of `max_list` + 1.
 ///
 /// # Errors
-/// `malformed-json`; `too-large` for the parameters; `invalid-request` with the place of the first fault.
+/// `malformed-json`; `too-large` for the parameters; `invalid-request` with the location of the first fault.
 pub(super) fn parse<'a, T: Deserialize<'a>>(
     body: &'a [u8],
     max_parameters: usize,
@@ -86,7 +87,7 @@ fn parameters_too_large(limit: usize) -> Problem {
         .member("limit_bytes", limit.into())
 }
 
-/// The JSON pointer of a place.
+/// The JSON pointer of a path.
 fn pointer(path: &serde_path_to_error::Path) -> String {
     let mut pointer = String::new();
     for segment in path.iter() {
@@ -99,10 +100,10 @@ fn pointer(path: &serde_path_to_error::Path) -> String {
     pointer.chars().take(MAX_POINTER).collect()
 }
 
-/// The parameters in a form's field.
+/// The parameters in a form field.
 ///
 /// # Errors
-/// The fault, for the field.
+/// The fault in the field.
 pub(super) fn parse_parameters(text: &str, max_parameters: usize) -> Result<Parameters, FieldError> {
     ROOM.set(max_parameters);
     serde_json::from_str(text).map_err(|error| {
@@ -126,7 +127,7 @@ impl<'de> Deserialize<'de> for Parameters {
     }
 }
 
-/// Reads a value of any form that takes room, and no member twice.
+/// Reads a value of any form, which uses up the limit; refuses repeated members.
 #[derive(Clone, Copy)]
 struct AnyValue;
 
@@ -193,7 +194,7 @@ impl<'de> Visitor<'de> for AnyValue {
     }
 }
 
-/// Labels as sent, not checked yet. No more are kept than show that there are too many.
+/// Unchecked labels as sent. Only as many are kept as show that there are too many.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub(crate) struct SentLabels(pub(crate) BTreeMap<String, String>);

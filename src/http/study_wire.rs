@@ -17,7 +17,7 @@ use utoipa::ToSchema;
 
 /// Most covariates of a subject.
 const MAX_COVARIATES: usize = 256;
-/// Most entries of a list of names, and of pairs of them.
+/// Most entries of a list of names, or of an object of strings.
 const MAX_NAMES: usize = 1000;
 
 /// A study to be submitted.
@@ -95,7 +95,7 @@ pub(crate) struct StudySubmissionDocument {
 }
 
 impl StudySubmissionDocument {
-    /// What is asked besides subjects, inputs and parameters.
+    /// The questions of a study: everything except subjects, inputs and parameters.
     pub(crate) fn questions(&self) -> StudyQuestions {
         StudyQuestions {
             template_side: self.template_side,
@@ -418,7 +418,7 @@ pub(crate) struct StudyResultDocument {
 }
 
 impl StudySubjectStateDocument {
-    /// What is shown of a subject.
+    /// The displayed members of a subject.
     pub(crate) fn of(subject: &OutlinedSubject) -> Self {
         let decided = subject.decision.as_ref();
         StudySubjectStateDocument {

@@ -1,4 +1,5 @@
-//! What can be read with a ticket in the query: the events of a job or of all jobs, and downloads. Nothing else takes one.
+//! Resources that can be read with a ticket in the query: the events of a job or of all jobs, and downloads. Other
+//! operations take no ticket.
 
 use super::audit::RECORDED_READS;
 use super::problem::Problem;
@@ -10,9 +11,9 @@ use axum::http::{Extensions, Method};
 use std::sync::LazyLock;
 use url::form_urlencoded;
 
-/// The parameter of the query.
+/// Name of the query parameter.
 pub(super) const TICKET: &str = "ticket";
-/// The operations beside the downloads.
+/// Operations other than downloads that take tickets.
 const FOLLOW: [&str; 2] = ["follow_job", "follow_jobs"];
 /// The events of all jobs.
 const EVENTS: &str = "/v1/events";
@@ -37,7 +38,8 @@ pub(super) fn is_ticketed(extensions: &Extensions) -> bool {
     extensions.get::<MatchedPath>().is_some_and(|path| ROUTES.iter().any(|route| route == path.as_str()))
 }
 
-/// Whether a ticket can be for this path: that of the events of all jobs, of a job, of a study, of an upload, or of something below that takes tickets.
+/// Whether a ticket can be for this path: the events of all jobs, a job, a study, an upload, or a path below one of
+/// these that takes tickets.
 pub(super) fn is_path_for_tickets(path: &str) -> bool {
     if path == EVENTS {
         return true;

@@ -1,4 +1,4 @@
-//! Signatures of bearer tokens, verified by ring, which does all other cryptography of the program too.
+//! Signatures of bearer tokens, verified by ring, which also does all other cryptography of the program.
 
 use jsonwebtoken::crypto::{CryptoProvider, JwtVerifier, KeyUtils};
 use jsonwebtoken::errors::{Error, ErrorKind};
@@ -6,8 +6,8 @@ use jsonwebtoken::signature::{self, Verifier};
 use jsonwebtoken::{Algorithm, AlgorithmFamily, DecodingKey, DecodingKeyKind};
 use ring::signature as by_ring;
 
-/// The algorithms of tokens that are accepted: those with a public key. One with a shared secret would let whoever may check
-/// tokens create them.
+/// The accepted algorithms of tokens, all with public keys. An algorithm with a shared secret would let everybody who
+/// can verify tokens create them.
 pub(super) const ACCEPTED: [Algorithm; 9] = [
     Algorithm::RS256,
     Algorithm::RS384,
@@ -26,7 +26,7 @@ static PROVIDER: CryptoProvider = CryptoProvider {
     key_utils: KeyUtils::new_unimplemented(),
 };
 
-/// Installs the provider, before the first token is verified. May be called any number of times.
+/// Installs the provider. Must be called before the first token is verified; may be called any number of times.
 pub(super) fn prepare() {
     let _ = PROVIDER.install_default();
 }

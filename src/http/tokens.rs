@@ -1,5 +1,5 @@
-//! Bearer tokens of an OpenID Connect provider: JSON Web Tokens, signed with a key of the provider's key set, which is read from a
-//! file or a URL and read again when a token names a key that is not in it.
+//! Bearer tokens of an OpenID Connect provider: JSON Web Tokens, signed with a key of the provider's key set. The set
+//! is read from a file or a URL, and read again when a token names a key that is not in it.
 
 use super::token_signatures::{ACCEPTED, prepare};
 use crate::jobs::{Role, Tenant};
@@ -26,24 +26,24 @@ const MAX_KEY_SET: usize = 1 << 20;
 /// Largest token, bytes.
 const MAX_TOKEN: usize = 16 << 10;
 
-/// Which tokens are accepted, and what is read from them.
+/// The rules for accepted tokens, and the claims that are read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TokenSettings {
-    /// What `iss` must be.
+    /// Required value of `iss`.
     pub issuer: String,
-    /// What `aud` must be or contain.
+    /// `aud` must equal or contain this value.
     pub audience: String,
-    /// Where the key set is.
+    /// Location of the key set.
     pub key_set: KeySetSource,
     /// Claim with the roles: names separated by dots, such as `realm_access.roles`.
     pub role_claim: String,
-    /// Claim with the tenant; without one, all tokens are of the tenant `default`.
+    /// Claim with the tenant; `None`: all tokens belong to the tenant `default`.
     pub tenant_claim: Option<String>,
     /// How far the clocks of the provider and of this machine may differ.
     pub leeway: Duration,
 }
 
-/// Where a key set is.
+/// Location of a key set.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum KeySetSource {
     /// In a file.
@@ -53,10 +53,11 @@ pub enum KeySetSource {
 }
 
 impl KeySetSource {
-    /// A URL if the text is one, else a file.
+    /// A URL if the text is one, otherwise a file.
     ///
     /// # Errors
-    /// If the key set would be fetched without TLS from another machine: whoever is on the way could replace it.
+    /// If the key set would be fetched without TLS from another machine, because an attacker on the network path could
+    /// replace it.
     pub fn parse(text: &str) -> Result<Self, String> {
         let Some(url) = Url::parse(text).ok().filter(|url| url.has_host()) else {
             return Ok(KeySetSource::File(PathBuf::from(text)));
@@ -75,27 +76,29 @@ impl KeySetSource {
     }
 }
 
-/// Who sent a token.
+/// The sender of a token.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Bearer {
     pub(super) tenant: Tenant,
     pub(super) role: Role,
-    /// Tells the users of a provider apart, and does not name them: `oidc:` and half of the SHA-256 of issuer and subject.
+    /// Distinguishes the users of a provider without naming them: `oidc:` and half of the SHA-256 of issuer and
+    /// subject.
     pub(super) id: String,
 }
 
 /// Why a token is not accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum TokenFault {
-    /// It is not valid.
+    /// The token is not valid.
     Invalid,
-    /// It is valid, and names no role of this service, or no tenant.
+    /// The token is valid, but names no role of this service, or no tenant.
     NoRole,
     /// The key set cannot be read.
     Unavailable,
 }
 
-/// Whether the header of a token names no extension that a verifier must understand (`crit`; RFC 7515, section 4.1.11): none is known here.
+/// Whether the header of a token requires no extension that a verifier must understand (`crit`; RFC 7515, section
+/// 4.1.11): none is supported.
 fn is_understood(token: &str) -> bool {
     let header = token.split('.').next().and_then(|part| BASE64.decode(part).ok());
     let header = header.and_then(|bytes| serde_json::from_slice::<Map<String, Value>>(&bytes).ok());
@@ -137,7 +140,7 @@ impl Tokens {
         Ok(Tokens { settings, client, keys: Mutex::default() })
     }
 
-    /// Who sent this token.
+    /// Verifies a token. Returns its sender.
     pub(super) async fn verify(&self, token: &str) -> Result<Bearer, TokenFault> {
         if token.len() > MAX_TOKEN {
             return Err(TokenFault::Invalid);
@@ -147,7 +150,7 @@ impl Tokens {
             return Err(TokenFault::Invalid);
         }
         let jwk = self.key(header.kid.as_deref()).await?;
-        // Both are named after the standard.
+        // Both enums name their variants as the standard does.
         let of_token = format!("{:?}", header.alg);
         let is_for_this = jwk.common.key_algorithm.is_none_or(|of_key| format!("{of_key:?}") == of_token);
         let is_for_signatures = jwk.common.public_key_use.as_ref().is_none_or(|u| *u == PublicKeyUse::Signature)
@@ -195,7 +198,7 @@ impl Tokens {
         let is_fresh = keys.read.is_some_and(|read| read.elapsed() < FRESH);
         let may_read = keys.tried.is_none_or(|tried| tried.elapsed() >= BETWEEN_READS);
         if (found.is_some() && is_fresh) || !may_read {
-            // A provider that does not answer at the moment does not lock out those whose key is known.
+            // A provider that does not answer must not lock out users whose key is known.
             return found.ok_or(if keys.set.is_some() { TokenFault::Invalid } else { TokenFault::Unavailable });
         }
         keys.tried = Some(Instant::now());
@@ -239,9 +242,9 @@ fn parsed(text: &[u8]) -> Result<JwkSet, String> {
     serde_json::from_slice(text).map_err(|error| format!("no JSON Web Key Set: {error}"))
 }
 
-/// The value of a claim; dots lead into objects.
+/// The value of a claim; dots select members of objects.
 fn claim<'a>(claims: &'a Map<String, Value>, path: &str) -> Option<&'a Value> {
-    // A name may itself contain dots, as those of some providers do, which are URLs.
+    // A name may itself contain dots, for example the names of providers that use URLs.
     if let Some(value) = claims.get(path) {
         return Some(value);
     }
@@ -250,7 +253,8 @@ fn claim<'a>(claims: &'a Map<String, Value>, path: &str) -> Option<&'a Value> {
     names.try_fold(first, |value, name| value.get(name))
 }
 
-/// The highest role in a claim: a name or a list of names, such as `submitter` or `homolog-submitter`. Others are ignored.
+/// The highest role in a claim, which is a name or a list of names, such as `submitter` or `homolog-submitter`. Other
+/// names are ignored.
 fn highest_role(value: &Value) -> Option<Role> {
     let role = |value: &Value| {
         let name = value.as_str()?;

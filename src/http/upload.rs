@@ -1,7 +1,7 @@
 //! Request bodies under limits: of size, of memory, and of the rate at which they arrive.
 //!
-//! A client that is refused while it is still sending would see a broken connection instead of the answer. So the rest of
-//! its body is read and discarded, up to a limit.
+//! A client that is refused while it is still sending would see a broken connection instead of the answer. The rest of
+//! its body is therefore read and discarded, up to a limit.
 
 use super::pace::{LeastRate, Pace};
 use super::problem::Problem;
@@ -17,13 +17,13 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::task::{Context, Poll, ready};
 use std::time::{Duration, Instant};
 
-/// How long a refused client may go on sending.
+/// How long a refused client may continue to send.
 const DRAIN: Duration = Duration::from_secs(10);
 /// The first bytes of a body that are not counted, so that small requests never wait for the memory of large ones. The
-/// number of bodies that are read at the same time bounds them.
+/// limit on concurrent bodies bounds their total.
 const UNCOUNTED: u64 = 1 << 20;
 
-/// What a body takes while it is read, and until what it submits is stored.
+/// The resources of a body while it is read, and until its submission is stored.
 pub(super) struct Reading {
     /// A slot among the bodies that are read at the same time.
     pub(super) _slot: Taken,
@@ -32,9 +32,9 @@ pub(super) struct Reading {
     pub(super) memory: Taken,
     /// Bytes of memory for each byte of the body; 0 for a body that is stored as it arrives.
     pub(super) factor: u64,
-    /// The least rate at which it arrives.
+    /// The least rate at which the body arrives.
     pub(super) least: LeastRate,
-    /// How long it waits for memory.
+    /// How long the body waits for memory.
     pub(super) max_wait: Duration,
 }
 
@@ -46,12 +46,12 @@ struct Tapped {
     body: Body,
     seen: usize,
     limit: usize,
-    /// Its size, if the client states it.
+    /// The size of the body, if the client states it.
     declared: Option<u64>,
     reading: Option<Reading>,
     has_memory: bool,
     pace: Option<Pace>,
-    /// A part for which there is no memory yet, when it arrived, and what it waits for.
+    /// A part for which there is no memory yet, and the time of its arrival.
     held_back: Option<(Frame<Bytes>, Instant)>,
     returned: Option<Pin<Box<dyn Future<Output = ()> + Send>>>,
     refusal: Option<Refusal>,
@@ -89,7 +89,7 @@ impl Tap {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Counts the body from now on; what it takes is returned when the tap is dropped.
+    /// Counts the body from now on; its resources are returned when the tap is dropped.
     pub(super) fn count(&self, reading: Reading) {
         let mut tapped = self.lock();
         tapped.pace = Some(Pace::new(reading.least));
@@ -112,12 +112,12 @@ impl Tap {
         })
     }
 
-    /// Whether more than the limit was sent.
+    /// Whether the client has sent more than the limit.
     pub(super) fn is_over(&self) -> bool {
         self.lock().refusal == Some(Refusal::TooLarge)
     }
 
-    /// Drains the body after an error, so that the client sees the answer. Passes the result through.
+    /// Drains the body after an error, so that the client sees the answer. Returns the result unchanged.
     pub(crate) async fn settle<T, E>(&self, read: Result<T, E>) -> Result<T, E> {
         if read.is_err() {
             self.drain().await;
@@ -125,15 +125,15 @@ impl Tap {
         read
     }
 
-    /// Reads and discards the rest of the body, at most as much again as was allowed.
+    /// Reads and discards the rest of the body, up to the allowed size once more.
     async fn drain(&self) {
         {
             let mut tapped = self.lock();
             if tapped.refusal == Some(Refusal::TooSlow) {
-                return; // nobody waits for such a client a second time
+                return; // such a client is not waited for a second time
             }
             tapped.limit = tapped.limit.saturating_mul(2);
-            // Nothing of what is discarded is kept, so it takes no memory.
+            // Discarded bytes are not kept, so they take no memory.
             (tapped.reading, tapped.held_back, tapped.returned, tapped.refusal) = (None, None, None, None);
         }
         let mut tap = self.clone();
@@ -170,7 +170,7 @@ impl Tapped {
         Poll::Ready(frame)
     }
 
-    /// Whether there is memory for the body.
+    /// Takes the memory for the body. Returns whether there is enough.
     fn takes_memory(&mut self) -> bool {
         if let Some(reading) = &mut self.reading
             && !self.has_memory
@@ -215,7 +215,7 @@ impl HttpBody for Tap {
                     tapped.returned = None;
                 }
                 None => {
-                    // Polled once before the memory is asked for again, so that none is returned unnoticed in between.
+                    // Polled once before the memory is requested again, so that a return in between is not missed.
                     let mut returned = Box::pin(shares.returned(wait));
                     if returned.as_mut().poll(cx).is_pending() {
                         tapped.returned = Some(returned);
@@ -238,7 +238,7 @@ pub(super) async fn read_field(mut field: Field<'_>, limit: usize) -> Result<Byt
     Ok(all.freeze())
 }
 
-/// Endings by which a format can be told. Any other ending may be part of a name: in `Doe^Jane.19700131` it is a date of
+/// Extensions that identify a format. Any other extension may be part of a name: in `Doe^Jane.19700131` it is a date of
 /// birth.
 const ENDINGS: &[&str] = &[
     "nii", "hdr", "img", "nrrd", "nhdr", "mha", "mhd", "mgh", "mgz", "ply", "stl", "vtk", "vtp", "vtu", "obj", "off",
@@ -250,7 +250,7 @@ pub(super) fn name_hint(file_name: &str) -> Option<String> {
     let known = |text: &str| ENDINGS.iter().copied().find(|ending| text.eq_ignore_ascii_case(ending));
     let (rest, last) = file_name.rsplit_once('.')?;
     let last = known(last)?;
-    // Before the extension of a compression, the one before it names the format.
+    // The extension before a compression's extension names the format.
     let before = rest.rsplit_once('.').and_then(|(_, before)| known(before)).filter(|_| last == "gz");
     Some(before.map_or_else(|| format!(".{last}"), |before| format!(".{before}.{last}")))
 }

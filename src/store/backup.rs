@@ -1,11 +1,12 @@
 //! Back-up and restore of a service on SQLite and a folder of blobs, while the service runs.
 //!
-//! A back-up is a folder: `blobs` as in the data directory, a copy of the database, and `backup.json`, which names that copy and
-//! is replaced last: a back-up that is interrupted leaves the one before it. The content of a blob never changes, but a rotation of
-//! keys writes an encrypted one anew, at the same length; so a further back-up into the same folder copies what is new or differs. Blobs
-//! are copied before the database and once more after it: then every blob to which the copied database refers is there.
+//! A back-up is a folder that contains `blobs`, as in the data directory, a copy of the database, and `backup.json`,
+//! which names that copy and is replaced last, so an interrupted back-up leaves the previous one intact. The content of
+//! a blob never changes, but a rotation of keys writes an encrypted blob again, with the same length. A further back-up
+//! into the same folder therefore copies blobs that are new or differ. Blobs are copied before the database and once
+//! more after it, so every blob to which the copied database refers is present.
 //!
-//! A back-up compares what [`restore`] compares, so that it succeeds only with what can be restored.
+//! A back-up makes the same comparisons as [`restore`], so it succeeds only if it can be restored.
 
 use super::artifacts::sealed::{FOOTER, is_sealed_blob, sealed_size};
 use super::artifacts::{FolderArtifacts, SealedArtifacts};
@@ -28,12 +29,12 @@ const BLOBS: &str = "blobs";
 const DATABASE: &str = "homolog.sqlite";
 /// The folder in which a copy of the database is prepared and checked.
 const DRAFT: &str = "next";
-/// The file that may be in a data directory into which is restored: it is kept apart from back-ups.
+/// The only file that a data directory may contain before a restore; it is kept apart from back-ups.
 const SECRET_KEY: &str = "secret.key";
-/// How often the database is copied again because a blob was created and deleted meanwhile.
+/// How often the database is copied again because a blob was created and deleted during the copy.
 const TRIES: u32 = 3;
 
-/// What is in a back-up.
+/// The description of a back-up.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
     /// Version of the program that wrote it.
@@ -42,11 +43,11 @@ pub struct Manifest {
     pub created_at: jiff::Timestamp,
     /// Name of the copy of the database.
     pub database: String,
-    /// BLAKE3 of that file.
+    /// BLAKE3 of the copy.
     pub database_blake3: String,
     /// Number of blobs to which the database refers.
     pub n_blobs: u64,
-    /// Their size, bytes.
+    /// Size of these blobs, bytes.
     pub n_bytes: u64,
 }
 
@@ -59,9 +60,9 @@ pub enum BackupError {
     /// A file or folder cannot be read or written.
     #[error("{}: {error}", path.display())]
     File {
-        /// Which one.
+        /// The file or folder.
         path: PathBuf,
-        /// Why.
+        /// The cause.
         error: io::Error,
     },
     /// The folder for a back-up holds something else.
@@ -73,7 +74,7 @@ pub enum BackupError {
     /// The data directory is in use or was used.
     #[error("{} is not empty; restore into an empty data directory, which may hold secret.key alone", .0.display())]
     NotEmpty(PathBuf),
-    /// A file is not what was written.
+    /// A file differs from what was written.
     #[error("{} is damaged; use another back-up", .0.display())]
     Damaged(PathBuf),
     /// Encrypted blobs cannot be compared with their hashes.
@@ -81,10 +82,10 @@ pub enum BackupError {
         "the blobs of this back-up are encrypted; give their key with --encryption-key-file or --encryption-key-command"
     )]
     Encrypted,
-    /// A blob is not there.
+    /// Blobs are missing.
     #[error("{n} blobs are missing, the first is {first}")]
     Missing {
-        /// How many.
+        /// Number of missing blobs.
         n: u64,
         /// Address of the first.
         first: String,
@@ -105,14 +106,14 @@ async fn blocking<T: Send + 'static>(
     }
 }
 
-/// Backs up the service of this database and data directory into the folder `to`. Encrypted blobs are compared with their hashes if
-/// `keyring` is given; without it only with those of the service.
+/// Backs up the service of this database and data directory into the folder `to`. With `keyring`, encrypted blobs are
+/// compared with their hashes; without it, only with the blobs of the service.
 ///
 /// # Errors
-/// [`BackupError`]; the description of the back-up that was there before is then left.
+/// [`BackupError`]; the description of the previous back-up then remains.
 ///
 /// # Cost
-/// Reads every blob of the back-up, and of the service those that are new or encrypted.
+/// Reads every blob of the back-up, and the new or encrypted blobs of the service.
 pub async fn back_up(
     store: &SqlStore,
     data_dir: &Path,
@@ -182,7 +183,7 @@ async fn checked(folder: &Path, data: &Path) -> Result<Counted, BackupError> {
     found
 }
 
-/// Creates the folder of a back-up; one that holds something else is refused.
+/// Creates the folder of a back-up; refuses a folder that holds something else.
 fn prepare(folder: &Path) -> Result<(), BackupError> {
     private_files::create_dir_all(folder).map_err(at(folder))?;
     let is_empty = fs::read_dir(folder).map_err(at(folder))?.next().is_none();
@@ -196,12 +197,12 @@ fn recreate(folder: &Path) -> Result<(), BackupError> {
         _ => {}
     }
     private_files::create_dir_all(folder).map_err(at(folder))?;
-    // With the permissions that it is to have, for the copy to be written into.
+    // Created with its final permissions before the copy is written into it.
     let file = folder.join(DATABASE);
     private_files::create_new(&file).map(|_| ()).map_err(at(&file))
 }
 
-/// Gives the checked copy of the database its name, and replaces the description.
+/// Renames the checked copy of the database to its final name, and replaces the description.
 fn publish(database: &Path, to: &Path, (n_blobs, n_bytes): Counted) -> Result<Manifest, BackupError> {
     let hash = hash_of(database)?;
     let manifest = Manifest {
@@ -223,7 +224,7 @@ fn publish(database: &Path, to: &Path, (n_blobs, n_bytes): Counted) -> Result<Ma
     written.map_err(at(&draft))?;
     fs::rename(&draft, &path).map_err(at(&path))?;
     sync_folder(to)?;
-    // What the description no longer names.
+    // The description no longer names these files.
     let _ = fs::remove_dir_all(to.join(DRAFT));
     for entry in fs::read_dir(to).map_err(at(to))?.flatten() {
         let name = entry.file_name();
@@ -235,11 +236,11 @@ fn publish(database: &Path, to: &Path, (n_blobs, n_bytes): Counted) -> Result<Ma
     Ok(manifest)
 }
 
-/// Restores the back-up in `from` into a data directory that is empty or does not exist. Every blob is compared with its hash;
-/// encrypted ones are decrypted for that with `keyring`.
+/// Restores the back-up in `from` into a data directory that is empty or does not exist. Every blob is compared with
+/// its hash; encrypted blobs are decrypted with `keyring` for the comparison.
 ///
 /// # Errors
-/// [`BackupError`]; the data directory then holds no database, and has to be emptied before the next try.
+/// [`BackupError`]; the data directory then holds no database, and must be emptied before the next try.
 pub async fn restore(from: &Path, data_dir: &Path, keyring: Option<Arc<Keyring>>) -> Result<Manifest, BackupError> {
     let (source, data) = (from.to_owned(), data_dir.to_owned());
     let draft = data_dir.join(DRAFT);
@@ -311,7 +312,7 @@ fn read_manifest(folder: &Path) -> Result<Manifest, BackupError> {
         read => read.map_err(at(&path))?,
     };
     let manifest: Manifest = serde_json::from_slice(&text).map_err(|_| BackupError::Damaged(path.clone()))?;
-    // A name in this folder, and no path out of it.
+    // A file name in this folder, not a path that leaves it.
     let is_name = manifest.database.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'-' || b == b'.');
     if is_name { Ok(manifest) } else { Err(BackupError::Damaged(path)) }
 }
@@ -325,21 +326,21 @@ fn refuse_used(data_dir: &Path) -> Result<(), BackupError> {
     if is_empty { Ok(()) } else { Err(BackupError::NotEmpty(data_dir.to_owned())) }
 }
 
-/// By what a blob is known to be in the copy already.
+/// How a blob is recognized as already copied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Known {
-    /// Its content: the hash that is its name, or where it is encrypted every byte.
+    /// By content: the hash that is its name; for an encrypted blob, every byte.
     ByContent,
-    /// Its length, and where it is encrypted its key, for what was compared by its content before.
+    /// By length and, for an encrypted blob, by its footer; for blobs that were already compared by content.
     ByEnd,
 }
 
-/// Copies the blobs that are not there yet, or there with another content; each that is not encrypted is compared with the hash that is
-/// its name. Encrypted ones are compared afterwards, with the keys.
+/// Copies the blobs that are missing in the copy or differ from it. Each unencrypted blob is compared with the hash
+/// that is its name. Encrypted blobs are compared afterwards, with the keys.
 fn copy_blobs(from: &Path, to: &Path, known: Known) -> Result<(), BackupError> {
     private_files::create_dir_all(to).map_err(at(to))?;
     let entries = match fs::read_dir(from) {
-        // Nothing was uploaded yet, or the folder was removed with its last blob.
+        // Nothing has been uploaded yet, or the folder was removed with its last blob.
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         read => read.map_err(at(from))?,
     };
@@ -353,7 +354,7 @@ fn copy_blobs(from: &Path, to: &Path, known: Known) -> Result<(), BackupError> {
             continue;
         }
         match copy_blob(&source, &target, known) {
-            // Deleted in the meantime: what the database still refers to is checked afterwards.
+            // Deleted during the copy; blobs to which the database still refers are checked afterwards.
             Err(BackupError::File { error, .. }) if error.kind() == io::ErrorKind::NotFound && !source.exists() => {}
             copied => is_new |= copied?,
         }
@@ -383,7 +384,7 @@ fn copy_blob(source: &Path, target: &Path, known: Known) -> Result<bool, BackupE
     copy_file(source, target).map(|()| true)
 }
 
-/// The footer of an encrypted blob, which another key changes.
+/// The footer of an encrypted blob, which changes with the key.
 fn end_of(path: &Path) -> Result<Vec<u8>, BackupError> {
     let mut end = Vec::new();
     let read = File::open(path).and_then(|mut file| {
@@ -395,7 +396,7 @@ fn end_of(path: &Path) -> Result<Vec<u8>, BackupError> {
     Ok(end)
 }
 
-/// Copies a file, under another name until it is complete.
+/// Copies a file under a temporary name, and renames it when complete.
 fn copy_file(from: &Path, to: &Path) -> Result<(), BackupError> {
     let mut source = File::open(from).map_err(at(from))?;
     let draft = to.with_extension("part");

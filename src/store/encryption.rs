@@ -1,8 +1,8 @@
 //! Encryption at rest: the keys that encrypt the keys of blobs and the secrets in the database, and their rotation.
 //!
-//! A key-encryption key never encrypts content. Each blob has a random key of its own, which is stored with the blob, encrypted with
-//! the current key-encryption key (AES-256-GCM, NIST SP 800-38D, by ring). So a rotation encrypts 32 bytes of each blob anew, and
-//! every key that is still given decrypts.
+//! A key-encryption key never encrypts content. Each blob has its own random key, which is stored with the blob,
+//! encrypted with the current key-encryption key (AES-256-GCM, NIST SP 800-38D, by ring). A rotation therefore encrypts
+//! only 32 bytes of each blob again. Every given key decrypts.
 
 use super::artifacts::SealedArtifacts;
 use super::sql::SqlStore;
@@ -18,14 +18,14 @@ use std::time::{Duration, Instant};
 const KEY_BYTES: usize = 32;
 /// Length of the id of a key, bytes.
 const ID_BYTES: usize = 8;
-/// What a key-encryption key adds to what it encrypts: its id, a nonce and a tag, bytes.
+/// Bytes that encryption with a key-encryption key adds: the key's id, a nonce and a tag.
 pub(super) const OVERHEAD: usize = ID_BYTES + NONCE_LEN + 16;
 /// How long the command that prints the keys may take.
 const COMMAND_TIMEOUT: Duration = Duration::from_secs(30);
-/// How long a rotation may take for one blob before others may remove it.
+/// How long a rotation may take for one blob before other processes may remove the blob.
 const HELD: Duration = Duration::from_secs(3_600);
 
-/// Public name of a key-encryption key: 16 hexadecimal digits that say nothing about the key.
+/// Public name of a key-encryption key: 16 hexadecimal digits that reveal nothing about the key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeyId([u8; ID_BYTES]);
 
@@ -35,18 +35,18 @@ impl fmt::Display for KeyId {
     }
 }
 
-/// Why something encrypted cannot be decrypted.
+/// Why a ciphertext cannot be decrypted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub(super) enum OpenFault {
-    /// With a key that is not given.
+    /// Its key is not among the given ones.
     #[error("it is encrypted with the key {0}, which this process was not given")]
     UnknownKey(KeyId),
-    /// It is not what was encrypted, or belongs to something else.
+    /// It was changed, or belongs to another owner.
     #[error("it was changed, or belongs to something else")]
     Altered,
 }
 
-/// Key-encryption keys: the first one encrypts, all of them decrypt.
+/// Key-encryption keys: the first key encrypts, all keys decrypt.
 pub struct Keyring {
     keys: Vec<(KeyId, LessSafeKey)>,
     random: SystemRandom,
@@ -59,10 +59,11 @@ impl fmt::Debug for Keyring {
 }
 
 impl Keyring {
-    /// Keys in lines of 64 hexadecimal digits, the current one first; empty lines and lines that begin with `#` do not count.
+    /// Parses lines of 64 hexadecimal digits, the current key first; empty lines and lines that begin with `#` are
+    /// skipped.
     ///
     /// # Errors
-    /// What is wrong, without the keys.
+    /// The fault, without the keys.
     pub fn parse(text: &str) -> Result<Self, String> {
         let mut keys: Vec<(KeyId, LessSafeKey)> = Vec::new();
         for (index, line) in text.lines().enumerate().map(|(index, line)| (index, line.trim())) {
@@ -95,7 +96,7 @@ impl Keyring {
         Keyring::parse(&text).map_err(|reason| format!("{}: {reason}", path.display()))
     }
 
-    /// The keys that a command of the shell prints. Its standard error is that of this process.
+    /// The keys that a shell command prints. Its standard error is the one of this process.
     ///
     /// # Errors
     /// If it fails or takes too long, or as for [`Keyring::parse`].
@@ -105,7 +106,7 @@ impl Keyring {
         shell.arg("-c").arg(command).stdin(Stdio::null()).stdout(Stdio::piped());
         let mut child = shell.spawn().map_err(failed)?;
         let output = child.stdout.take();
-        // On a thread of its own: a command that prints much must not wait for a reader.
+        // Read on a separate thread, so that a command with long output does not block.
         let reader = std::thread::spawn(move || output.map(std::io::read_to_string).transpose());
         let began = Instant::now();
         let status = loop {
@@ -135,13 +136,13 @@ impl Keyring {
         self.keys.first().map(|(id, _)| *id)
     }
 
-    /// Whether this key is given.
+    /// Whether the key with this id is given.
     pub(crate) fn knows(&self, id: &str) -> bool {
         self.keys.iter().any(|(known, _)| known.to_string() == id)
     }
 
-    /// `text`, encrypted with the current key for `owner`, which has to be given again to decrypt it; `None` if there are no random
-    /// numbers. [`OVERHEAD`] bytes longer.
+    /// Encrypts `text` with the current key for `owner`; decryption needs the same `owner`. `None` if the system
+    /// provides no random numbers. The result is [`OVERHEAD`] bytes longer.
     pub(super) fn seal(&self, owner: &[u8], text: &[u8]) -> Option<Vec<u8>> {
         let (id, key) = self.keys.first()?;
         let mut nonce = [0; NONCE_LEN];
@@ -151,7 +152,7 @@ impl Keyring {
         Some([&id.0[..], &nonce, &sealed].concat())
     }
 
-    /// What was encrypted for `owner`.
+    /// Decrypts a text that was encrypted for `owner`.
     pub(super) fn open(&self, owner: &[u8], sealed: &[u8]) -> Result<Vec<u8>, OpenFault> {
         let id = sealed_with(sealed).ok_or(OpenFault::Altered)?;
         let (_, key) = self.keys.iter().find(|(known, _)| *known == id).ok_or(OpenFault::UnknownKey(id))?;
@@ -164,7 +165,7 @@ impl Keyring {
     }
 }
 
-/// The key with which something was encrypted.
+/// The id of the key with which a text was encrypted.
 pub(super) fn sealed_with(sealed: &[u8]) -> Option<KeyId> {
     sealed.first_chunk().copied().map(KeyId)
 }
@@ -173,47 +174,47 @@ fn cipher(key: &[u8; KEY_BYTES]) -> Option<LessSafeKey> {
     UnboundKey::new(&AES_256_GCM, key).ok().map(LessSafeKey::new)
 }
 
-/// A new random key for content, and the cipher with it.
+/// A new random content key, and its cipher.
 pub(super) fn random_key() -> Option<([u8; KEY_BYTES], LessSafeKey)> {
     let mut key = [0; KEY_BYTES];
     SystemRandom::new().fill(&mut key).ok()?;
     Some((key, cipher(&key)?))
 }
 
-/// The cipher with a stored key for content.
+/// The cipher of a stored content key.
 pub(super) fn content_cipher(key: &[u8]) -> Option<LessSafeKey> {
     cipher(key.try_into().ok()?)
 }
 
-/// What a rotation did, or would do, with a blob.
+/// What a rotation does with a blob.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Resealed {
-    /// Nothing: it is encrypted with the current key.
+    /// Nothing: the blob is already encrypted with the current key.
     Not,
-    /// Its key was encrypted anew.
+    /// The blob's key was encrypted with the current key.
     Rewrapped,
-    /// It was encrypted for the first time.
+    /// The blob was encrypted for the first time.
     Encrypted,
 }
 
-/// What a rotation did, or would do.
+/// Counts of a rotation, or of a dry run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Rotated {
-    /// Blobs that are encrypted with the current key already.
+    /// Blobs that were already encrypted with the current key.
     pub current: u64,
     /// Blobs whose key was encrypted with the current key instead of an older one.
     pub rewrapped: u64,
-    /// Blobs that were not encrypted before.
+    /// Blobs that were encrypted for the first time.
     pub encrypted: u64,
     /// Secrets that were encrypted with the current key.
     pub secrets: u32,
 }
 
-/// Encrypts the key of each blob, and each secret, with the current key; blobs that are not encrypted yet are. The service may run
-/// meanwhile. `dry_run`: only counts.
+/// Encrypts the key of each blob, and each secret, with the current key; blobs that are not encrypted yet are
+/// encrypted. The service may run at the same time. `dry_run`: only counts.
 ///
 /// # Errors
-/// Those of the stores; what was done stays done.
+/// Those of the stores; finished work remains.
 pub async fn rotate(store: &SqlStore, artifacts: &SealedArtifacts, dry_run: bool) -> Result<Rotated, JobError> {
     let mut rotated = Rotated::default();
     let holder = format!("rotation-{}", uuid::Uuid::new_v4());
@@ -229,7 +230,8 @@ pub async fn rotate(store: &SqlStore, artifacts: &SealedArtifacts, dry_run: bool
                 Ok(Resealed::Rewrapped) if dry_run => rotated.rewrapped += 1,
                 Ok(Resealed::Encrypted) if dry_run => rotated.encrypted += 1,
                 Ok(_) => {
-                    // Held: what is written again after its last reference has gone would stay for ever.
+                    // Held, because a blob that is written again after its last reference has gone would remain
+                    // forever.
                     store.hold_blobs(&holder, std::slice::from_ref(&key), HELD, None).await?;
                     let done = artifacts.reseal(&key, blob.n_bytes).await;
                     store.drop_hold(&holder).await?;
@@ -241,7 +243,7 @@ pub async fn rotate(store: &SqlStore, artifacts: &SealedArtifacts, dry_run: bool
                         Err(_) => {}
                     }
                 }
-                // Deleted since it was listed.
+                // The blob was deleted after it was listed.
                 Err(error) if store.blob_is_needed(&blob).await? => return Err(error),
                 Err(_) => {}
             }

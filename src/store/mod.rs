@@ -1,10 +1,10 @@
 //! Storage, behind the ports of [`crate::jobs`].
 //!
-//! [`sql`] stores jobs in SQLite or PostgreSQL, [`artifacts`] stores blobs in a folder or an S3-compatible store, and
-//! [`backup`] copies a database and a folder while they are used,
-//! [`processes`] records which processes of one machine are alive. [`seal`] encrypts secrets, [`encryption`] has the keys for
-//! blobs and secrets and their rotation, `private_files` keeps files from
-//! other users, `space` remembers that a store was full, and `reserve` keeps a little for that case.
+//! [`sql`] stores jobs in SQLite or PostgreSQL, [`artifacts`] stores blobs in a folder or an S3-compatible store,
+//! [`backup`] copies a database and a folder while they are in use, and [`processes`] records which processes of one
+//! machine are alive. [`seal`] encrypts secrets, [`encryption`] holds the keys for blobs and secrets and rotates them,
+//! `private_files` keeps files from other users, `space` remembers that a store was full, and `reserve` keeps some
+//! space for that case.
 
 pub mod artifacts;
 pub mod backup;

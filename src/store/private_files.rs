@@ -1,11 +1,11 @@
-//! Files and folders that only the user of the service can read: they hold data of patients, keys and secrets.
+//! Files and folders that only the user of the service can read, because they hold patient data, keys and secrets.
 
 use std::fs::{self, DirBuilder, File, OpenOptions};
 use std::io;
 use std::path::Path;
 
-/// Creates a folder and those above it, which only this user can enter. A folder that exists is restricted too, if it belongs
-/// to this user; one that does not is left as its owner has made it.
+/// Creates a folder and its parents, which only this user can enter. An existing folder is restricted too if it belongs
+/// to this user; a folder of another user stays as it is.
 ///
 /// # Errors
 /// If it cannot be created.
@@ -19,7 +19,7 @@ pub(crate) fn create_dir_all(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// How a file is opened that only this user can read, if it is created.
+/// Options to open a file that, if created, only this user can read.
 pub(crate) fn options() -> OpenOptions {
     #[allow(unused_mut, reason = "only Unix has modes")]
     let mut options = OpenOptions::new();
@@ -28,7 +28,7 @@ pub(crate) fn options() -> OpenOptions {
     options
 }
 
-/// A new file to be written.
+/// Creates a file for writing.
 ///
 /// # Errors
 /// If it exists, or cannot be created.
@@ -36,8 +36,9 @@ pub(crate) fn create_new(path: &Path) -> io::Result<File> {
     options().write(true).create_new(true).open(path)
 }
 
-/// Creates an empty file unless there is one, and restricts it. A file that exists is not opened: on Unix, closing a
-/// descriptor of a database releases all locks that this process holds on it, and another process would take it for unused.
+/// Creates an empty file unless it exists, and restricts it. An existing file is not opened: on Unix, closing a
+/// descriptor of a database releases all locks that this process holds on it, and another process would consider it
+/// unused.
 ///
 /// # Errors
 /// If it cannot be created.

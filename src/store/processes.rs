@@ -1,8 +1,8 @@
-//! The processes on a data directory: each holds a lock on a file of its own while it is alive.
+//! The processes on a data directory: each holds a lock on its own file while it is alive.
 //!
-//! The operating system releases the lock the moment the process ends, however it ends. A process that can lock the file of
-//! another knows that the other has ended, so the jobs of that process need not wait for their leases to expire. A process
-//! that is only suspended keeps its lock; there the lease decides.
+//! The operating system releases the lock as soon as the process ends, however it ends. A process that can lock the
+//! file of another process knows that it has ended, so that process's jobs need not wait for their leases to expire. A
+//! suspended process keeps its lock; its jobs wait for the lease.
 
 use super::private_files;
 use crate::jobs::{DepartedProcess, Processes, WorkerId};
@@ -11,7 +11,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The record of this process, which the others see while this value exists.
+/// The record of this process, visible to the others while this value exists.
 #[derive(Debug)]
 pub(crate) struct ProcessRecord {
     folder: PathBuf,
@@ -35,7 +35,7 @@ impl ProcessRecord {
     pub(crate) fn create(data_dir: &Path, worker: &WorkerId) -> io::Result<Self> {
         let folder = data_dir.join("processes");
         private_files::create_dir_all(&folder)?;
-        // Locked before it gets the name that others look for, so that no process can find it unlocked.
+        // Locked before it gets its final name, so that no process can find it unlocked.
         let draft = folder.join(format!("{}.draft", worker.name()));
         let own = folder.join(format!("{}.lock", worker.name()));
         let lock = private_files::create_new(&draft)?;
@@ -89,7 +89,8 @@ pub(crate) struct ServeLock {
 }
 
 impl ServeLock {
-    /// Takes the lock, waiting for up to `timeout` for a predecessor to exit. `None` if it does not.
+    /// Takes the lock, waiting up to `timeout` for a predecessor to exit. `None` if the predecessor does not exit in
+    /// time.
     ///
     /// # Errors
     /// Those of the file system.

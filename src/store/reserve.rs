@@ -1,24 +1,24 @@
-//! A file that is given up where a disk is full, so that a service can start and a purge can free space: deleting takes a little
-//! space itself, for the log of the database.
+//! A file that is deleted when the disk is full, so that a service can start and a purge can free space: deleting needs
+//! some space itself, for the log of the database.
 
 use super::private_files;
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::Path;
 
-/// The file in the data directory.
+/// Name of the file in the data directory.
 const NAME: &str = "reserve";
-/// What becomes it, and what is written to find out whether there is room.
+/// Names of the file while it is written, and of the file that tests for room.
 const PART: &str = "reserve.part";
 const TRIAL: &str = "reserve.trial";
-/// Its size, bytes: the log of the database grows to half of that before it is written back.
+/// Size of the file, bytes: the log of the database grows to half of this before it is written back.
 const N_BYTES: usize = 8 << 20;
-/// Bytes that are written to find out whether there is room.
+/// Bytes written to test whether the disk has room.
 const TRIED_BYTES: usize = 256 << 10;
 
 fn write(folder: &Path, name: &str, n_bytes: usize) -> io::Result<()> {
     let path = folder.join(name);
-    // Of a process that ended meanwhile.
+    // Left by a process that has ended.
     let _ = fs::remove_file(&path);
     let written = private_files::create_new(&path).and_then(|mut file| {
         let block = vec![0xa5; 64 << 10];
@@ -33,7 +33,7 @@ fn write(folder: &Path, name: &str, n_bytes: usize) -> io::Result<()> {
     written
 }
 
-/// Makes the file, unless it is there.
+/// Creates the file unless it exists.
 ///
 /// # Errors
 /// If there is no room for it.
@@ -45,7 +45,7 @@ pub(in crate::store) fn keep(folder: &Path) -> io::Result<()> {
     fs::rename(folder.join(PART), folder.join(NAME))
 }
 
-/// Removes the file if the disk is full. Says whether it did.
+/// Removes the file if the disk is full. Returns whether it did.
 pub(crate) fn give_up_if_full(folder: &Path) -> bool {
     let tried = write(folder, TRIAL, TRIED_BYTES);
     let is_full =

@@ -1,7 +1,7 @@
 //! Secrets at rest: sealed with a key that is not in the database, so that a copy of the database alone reveals none.
 //!
-//! Authenticated encryption: AES-256 in Galois/counter mode with a random nonce (NIST SP 800-38D), by ring. The identity of what
-//! the secret belongs to is authenticated too, so that it cannot be moved to another record.
+//! Authenticated encryption: AES-256 in Galois/counter mode with a random nonce (NIST SP 800-38D), by ring. The
+//! identity of the secret's owner is authenticated too, so that a secret cannot be moved to another record.
 
 use super::encryption::{Keyring, sealed_with};
 use super::private_files;
@@ -14,9 +14,9 @@ use std::io::{self, Write as _};
 use std::path::Path;
 use std::sync::Arc;
 
-/// What a secret begins with that is sealed with the key of secrets; others were stored before secrets were sealed.
+/// Prefix of a secret sealed with the key of secrets. Unsealed secrets have no prefix.
 const SEALED: &str = "sealed:1:";
-/// What a secret begins with that is sealed with a key of the keyring.
+/// Prefix of a secret sealed with a key of the keyring.
 const BY_KEYRING: &str = "sealed:2:";
 /// Length of a key, bytes.
 const KEY_BYTES: usize = 32;
@@ -39,7 +39,7 @@ fn invalid(what: &'static str) -> io::Error {
 }
 
 impl Seal {
-    /// With the key in this file: 64 hexadecimal digits.
+    /// Reads the key from this file: 64 hexadecimal digits.
     ///
     /// # Errors
     /// If the file cannot be read, or holds no key.
@@ -49,7 +49,7 @@ impl Seal {
         Seal::new(key.as_bytes())
     }
 
-    /// The same; a file that does not exist is created with a random key.
+    /// As [`Seal::read`], but creates a missing file with a random key.
     ///
     /// # Errors
     /// If the file can neither be read nor created.
@@ -57,7 +57,7 @@ impl Seal {
         if !path.exists() {
             let mut key = [0; KEY_BYTES];
             SystemRandom::new().fill(&mut key).map_err(|_| io::Error::other("no random numbers"))?;
-            // Under another name first: another process must not read half of it, nor replace it.
+            // Written under a temporary name: another process must neither read half of it nor replace it.
             let draft = path.with_extension(uuid::Uuid::new_v4().to_string());
             let mut file = private_files::create_new(&draft)?;
             writeln!(file, "{}", blake3::Hash::from_bytes(key).to_hex())?;
@@ -77,21 +77,21 @@ impl Seal {
         Ok(Seal { key: Some(LessSafeKey::new(key)), keyring: None, random: SystemRandom::new() })
     }
 
-    /// Seals with the keys of a keyring; what was sealed with the key of `earlier` is opened too.
+    /// Seals with the keys of a keyring; also opens secrets that were sealed with the key of `earlier`.
     #[must_use]
     pub fn with_keyring(keyring: Arc<Keyring>, earlier: Option<Seal>) -> Self {
         let key = earlier.and_then(|earlier| earlier.key);
         Seal { key, keyring: Some(keyring), random: SystemRandom::new() }
     }
 
-    /// Whether a stored secret is sealed with the key that seals now.
+    /// Whether a stored secret is sealed with the current key.
     pub(super) fn is_current(&self, stored: &str) -> bool {
         let Some(keyring) = &self.keyring else { return stored.starts_with(SEALED) };
         let sealed = stored.strip_prefix(BY_KEYRING).and_then(|text| BASE64_STANDARD.decode(text).ok());
         sealed.is_some_and(|sealed| sealed_with(&sealed) == keyring.current())
     }
 
-    /// The sealed form of a secret that belongs to `owner`; `None` if there are no random numbers.
+    /// The sealed form of a secret of `owner`; `None` if the system provides no random numbers.
     pub(super) fn seal(&self, owner: &str, secret: &str) -> Option<String> {
         if let Some(keyring) = &self.keyring {
             let sealed = keyring.seal(&identity(owner), secret.as_bytes())?;
@@ -120,7 +120,7 @@ impl Seal {
     }
 }
 
-/// What a secret is sealed for with a key that seals other things too.
+/// The identity to which a secret is bound under a key that also seals other things.
 fn identity(owner: &str) -> Vec<u8> {
     format!("secret\n{owner}").into_bytes()
 }

@@ -1,8 +1,8 @@
-//! Whether a store has refused to store something for want of space.
+//! Whether a store has recently refused a write for lack of space.
 //!
-//! A server that is asked whether it answers does not say that its disk is full or its quota used up. So the last refusal is
-//! remembered for a while: readiness says "full" meanwhile, and whoever balances load sends submissions elsewhere. Afterwards
-//! the next submission finds out whether there is room again.
+//! A server that answers a health check does not report that its disk is full or its quota used up. The last refusal is
+//! therefore remembered for a while: readiness reports "full" during this time, and load balancers send submissions
+//! elsewhere. After it, the next submission tests whether there is room again.
 
 use crate::jobs::JobError;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -15,7 +15,7 @@ const REMEMBERED: Duration = Duration::from_secs(10);
 #[derive(Debug)]
 pub(super) struct Space {
     begun: Instant,
-    /// Milliseconds from the beginning to the end of the time for which the refusal counts.
+    /// End of the time for which the refusal counts, in milliseconds since the creation of this value.
     full_until_ms: AtomicU64,
 }
 
@@ -26,7 +26,7 @@ impl Default for Space {
 }
 
 impl Space {
-    /// Remembers a refusal; passes the outcome through.
+    /// Remembers a refusal; returns the outcome unchanged.
     pub(super) fn noted<T>(&self, outcome: Result<T, JobError>) -> Result<T, JobError> {
         if matches!(outcome, Err(JobError::StorageFull)) {
             let until = self.begun.elapsed() + REMEMBERED;

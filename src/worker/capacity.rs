@@ -6,9 +6,9 @@ use crate::jobs::Demand;
 
 /// How a process divides its cores and its memory among jobs.
 ///
-/// By default by prediction: each job takes as many cores as it benefits from, and jobs run side by side while cores are
-/// free. Or in a fixed number of slots: each job takes one slot with an equal share of the cores. In both cases memory
-/// is divided by prediction.
+/// By default it predicts: each job takes as many cores as it benefits from, and jobs run side by side while cores are
+/// free. With a fixed number of slots, each job takes one slot and an equal share of the cores. In both cases memory is
+/// divided by prediction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Capacity {
     /// The total. With a fixed number of slots, `cores` is that number.
@@ -33,9 +33,9 @@ impl Capacity {
 
     /// The number of threads of a job for which `need` is reserved.
     ///
-    /// A job that is alone, with nothing running and nothing else queued, gets a thread for every core, because they would
-    /// be idle otherwise. The additional cores are not reserved: the next job still starts at once, and until the first
-    /// one ends the operating system divides the cores among their threads, fewer than two for each core.
+    /// A job that runs alone, with nothing else queued, gets a thread for every core, because the cores would otherwise
+    /// be idle. The additional cores are not reserved: the next job still starts at once. Until the first job ends, the
+    /// operating system divides the cores among the threads of both, fewer than two threads for each core.
     pub(crate) fn n_threads(&self, need: Room, is_alone: bool) -> usize {
         match self.n_slots {
             _ if is_alone => self.n_cores,

@@ -9,11 +9,11 @@ use tokio_util::sync::CancellationToken;
 pub(crate) enum StopCause {
     /// A client cancelled the job.
     CancelRequested,
-    /// It exceeded its time limit.
+    /// The job exceeded its time limit.
     TimeLimit,
-    /// The process exits; another one will run the job.
+    /// The process exits; another process will run the job.
     Shutdown,
-    /// Another worker holds the job: nothing may be written any more.
+    /// Another worker holds the job: this worker may not write anything more.
     LeaseLost,
 }
 

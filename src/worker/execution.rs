@@ -22,26 +22,27 @@ use tokio::time::{MissedTickBehavior, interval, sleep, sleep_until};
 
 /// How long writing a result may take before its blobs are removed as unreferenced.
 const HOLD: Duration = Duration::from_secs(600);
-/// How long calls to a store that does not answer are repeated; after that the lease expires and the job runs again.
+/// How long calls to a store that does not answer are repeated. After this time the lease expires and the job runs
+/// again.
 const STORE_TIMEOUT: Duration = Duration::from_secs(60);
 
-/// How long a job's cores stay unused after a store has been unavailable for longer than that.
+/// How long a job's cores stay unused after a store was unavailable for longer than [`STORE_TIMEOUT`].
 const AFTER_OUTAGE: Duration = Duration::from_secs(5);
 
-/// What the computation's thread returns.
+/// The value that the computation's thread returns.
 type Computed = Result<Answer, ComputeError>;
 
-/// How the job is to end.
+/// How a job ends.
 enum Ending {
     Publish(Answer),
     Fail(Failure),
     Cancel,
     Release,
-    /// Not at all: another worker holds the lease.
+    /// The job does not end here: another worker holds the lease.
     Abandon,
 }
 
-/// What a computation may use.
+/// The resources that a computation may use.
 struct Allotment {
     n_threads: usize,
     memory_bytes: u64,
@@ -62,8 +63,8 @@ impl Allotment {
     }
 }
 
-/// Runs a claimed job to its end, computing on `n_threads`. Does not fail: whatever goes wrong becomes the outcome of the job,
-/// or its lease expires.
+/// Runs a claimed job on `n_threads` until it ends. Does not fail: every error becomes the outcome of the job, or its
+/// lease expires.
 pub(crate) async fn execute(
     parts: &PoolParts,
     leased: LeasedJob,
@@ -113,15 +114,15 @@ pub(crate) async fn execute(
     if let Some(mut computed) = unfinished
         && control.cause() != Some(StopCause::Shutdown)
     {
-        // The job is ended; its cores are not free while its threads still use them.
+        // The job has ended, but its cores are not free while its threads still use them.
         if tokio::time::timeout(parts.settings.abandon_after, &mut computed).await.is_err() {
             tracing::error!(job_id = %lease.job_id, "a computation does not stop; its thread is abandoned");
         }
     }
 }
 
-/// Reads the inputs, computes, and settles the job. Returns how it ended, for the log, and the channel of a computation that
-/// was told to stop and still runs.
+/// Reads the inputs, computes, and settles the job. Returns how the job ended, for the log, and the channel of a
+/// computation that was told to stop and still runs.
 async fn run(
     parts: &PoolParts,
     lease: &Lease,
@@ -143,7 +144,7 @@ async fn run(
         Ok(inputs) => inputs,
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the inputs could not be read");
-            // An unavailable store is no fault of the job; content that is unreadable is so for every worker.
+            // An unavailable store is not the job's fault. Unreadable content is unreadable for every worker.
             if !is_transient(&error) {
                 let failure = missing_input(parts, lease, job).await.unwrap_or_else(internal_error);
                 return (settle(parts, lease, [None, None], Ending::Fail(failure)).await, None);
@@ -208,7 +209,8 @@ async fn read_inputs(parts: &PoolParts, lease: &Lease, job: &Job) -> Result<Comp
     })
 }
 
-/// Which input the blob store does not hold, or holds damaged, by its place and its hash; `None` for what else went wrong.
+/// The input that the blob store does not hold or holds damaged, by its place and its hash; `None` if something else
+/// failed.
 async fn missing_input(parts: &PoolParts, lease: &Lease, job: &Job) -> Option<Failure> {
     for (name, input) in [("source", &job.source), ("target", &job.target)] {
         if let Err(JobError::Corrupt { what, .. }) = read_input(parts, lease, input).await {
@@ -235,7 +237,7 @@ fn start_computation(
 ) -> std::io::Result<oneshot::Receiver<Computed>> {
     let observer = Arc::clone(observer);
     let (sender, receiver) = oneshot::channel();
-    // Its own process has threads of its own.
+    // A child process has its own threads.
     let pool = if computation.apart().is_none() { Some(own_threads(allotment.n_threads)?) } else { None };
     std::thread::Builder::new().name("compute".to_owned()).spawn(move || {
         let work = || match (computation.apart(), pool) {
@@ -246,16 +248,16 @@ fn start_computation(
             }
             (None, None) => Err(ComputeError::Failed(internal_error())),
         };
-        // No state that a panic may leave inconsistent is used again: inputs and observer belong to this job alone.
+        // A panic cannot leave state inconsistent that is used again: inputs and observer belong to this job alone.
         let computed = catch_unwind(AssertUnwindSafe(work));
-        // The panic hook has logged the location; the message may contain a patient's data and is dropped.
+        // The panic hook has logged the location. The message is dropped, because it may contain a patient's data.
         let _ = sender.send(computed.unwrap_or_else(|_| Err(ComputeError::Failed(internal_error()))));
     })?;
     Ok(receiver)
 }
 
-/// Stores trace and progress while the computation runs. Returns its outcome, or `None` if it was told to stop and does not,
-/// and the part of the trace that could not be stored yet.
+/// Stores trace and progress while the computation runs. Returns the outcome of the computation, or `None` if it does
+/// not stop although it was told to, and the part of the trace that could not be stored yet.
 async fn follow(
     parts: &PoolParts,
     lease: &Lease,
@@ -301,11 +303,12 @@ async fn follow(
     }
 }
 
-/// How a job ends whose computation returned `computed` (`None`: it does not stop) after it was told to stop for `cause`.
+/// How a job ends, from what its computation returned (`None`: it does not stop) and the `cause` for which it was told
+/// to stop.
 fn decide(computed: Option<Computed>, cause: Option<StopCause>) -> Ending {
     match (computed, cause) {
         (_, Some(StopCause::LeaseLost)) => Ending::Abandon,
-        // A finished result is accepted, whatever was requested in the meantime.
+        // A finished result is accepted, even if a stop was requested in the meantime.
         (Some(Ok(answer)), _) => Ending::Publish(answer),
         (Some(Err(ComputeError::Failed(failure))), _) => Ending::Fail(failure),
         (_, Some(StopCause::CancelRequested)) => Ending::Cancel,
@@ -317,7 +320,7 @@ fn decide(computed: Option<Computed>, cause: Option<StopCause>) -> Ending {
             tracing::error!(why, "no process for the computation");
             Ending::Release
         }
-        // It stopped without having been told to: a fault of the engine.
+        // The computation stopped although nobody told it to: a fault of the engine.
         (_, None) => Ending::Fail(internal_error()),
     }
 }
@@ -363,7 +366,7 @@ async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2],
     match written.await {
         Ok(name) => name,
         Err(JobError::LeaseLost) => "lease lost",
-        // The result is lost and will be computed again; an unavailable blob store must not count as a crash.
+        // The result is lost and will be computed again. An unavailable blob store must not count as a crash.
         Err(error) if is_transient(&error) && parts.store.release_job(lease).await.is_ok() => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the result could not be stored");
             sleep(AFTER_OUTAGE).await;

@@ -1,7 +1,7 @@
-//! Heartbeats of all running jobs of this process, on an operating-system thread of their own.
+//! Heartbeats of all running jobs of this process, on a separate operating-system thread.
 //!
-//! The thread has its own small runtime and its own connections to the store. However busy the cores, the main runtime or
-//! the other connections are, leases are extended and requests to cancel are seen.
+//! The thread has its own small runtime and its own connections to the store. It extends leases and sees requests to
+//! cancel even when the cores, the main runtime or the other connections are busy.
 
 use super::control::{Control, StopCause};
 use crate::jobs::{JobError, JobStore, Lease, LeaseStatus};
@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How often the status of each lease is read; bounds how late a request to cancel is seen.
+/// How often the status of each lease is read: the longest delay until a request to cancel is seen.
 const CHECK_INTERVAL: Duration = Duration::from_millis(100);
 
 /// The heartbeats of a process; they stop when this is dropped.
@@ -32,11 +32,11 @@ struct Watched {
     control: Arc<Control>,
     /// When the lease was last extended.
     extended: Instant,
-    /// When that was last attempted.
+    /// When an extension was last attempted.
     attempted: Instant,
 }
 
-/// Keeps a lease alive; dropping it ends that.
+/// Keeps a lease alive until it is dropped.
 #[derive(Debug)]
 pub(crate) struct Watch {
     shared: Arc<Shared>,
@@ -44,7 +44,7 @@ pub(crate) struct Watch {
 }
 
 impl Heartbeats {
-    /// Starts the thread: every `interval` each watched lease is extended to `duration` from then.
+    /// Starts the thread, which extends each watched lease every `interval` to `duration` from then.
     ///
     /// # Errors
     /// If no thread can be started.
@@ -67,7 +67,8 @@ impl Heartbeats {
         Ok(Heartbeats { shared })
     }
 
-    /// Keeps `lease` alive, and stops the computation of `control` when the lease is lost or its cancellation requested.
+    /// Keeps `lease` alive. Stops the computation of `control` when the lease is lost or cancellation of the job is
+    /// requested.
     pub(crate) fn watch(&self, lease: &Lease, control: Arc<Control>) -> Watch {
         let now = Instant::now();
         let watched = Watched { control, extended: now, attempted: now };
@@ -75,7 +76,7 @@ impl Heartbeats {
         Watch { shared: Arc::clone(&self.shared), lease: lease.clone() }
     }
 
-    /// Whether the store answered last time; while it does not, no further job should be started.
+    /// Whether the store answered last time. While it does not answer, no further job should start.
     pub(crate) fn is_healthy(&self) -> bool {
         self.shared.healthy.load(Ordering::Acquire)
     }
@@ -108,7 +109,8 @@ async fn check_all(shared: &Shared, store: &dyn JobStore, interval: Duration, du
     }
 }
 
-/// Extends a lease if that is due, else only reads its status, and tells its computation what the store answered.
+/// Extends a lease if the extension is due, otherwise only reads its status; tells the computation what the store
+/// answered.
 async fn check(
     shared: &Shared,
     store: &dyn JobStore,
@@ -138,11 +140,11 @@ async fn check(
         }
         Err(error) => {
             tracing::warn!(job_id = %lease.job_id, %error, "heartbeat failed");
-            // Attempted again at the next check, not only after a whole interval.
+            // The next check attempts it again, without waiting a whole interval.
             if let Some(earlier) = asked.checked_sub(interval) {
                 entry.attempted = earlier;
             }
-            // By now another worker may hold the job; the fence would refuse everything that this one writes.
+            // Another worker may hold the job by now; the fence would refuse every write of this worker.
             if extended.elapsed() > duration {
                 control.stop(StopCause::LeaseLost);
             }

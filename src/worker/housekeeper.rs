@@ -1,4 +1,4 @@
-//! Periodic work of every process: jobs of lost workers return to the queue, studies go on, and unreferenced blobs are removed.
+//! Periodic work of every process: requeues jobs of lost workers, advances studies, and removes unreferenced blobs.
 
 use super::pool::with_sources;
 use crate::jobs::{
@@ -10,17 +10,18 @@ use tokio_util::sync::CancellationToken;
 
 /// Time between two rounds; each looks for expired leases and ended processes.
 const ROUND: Duration = Duration::from_secs(1);
-/// Rounds between two removals of the remains of interrupted writes.
+/// Rounds between two removals of files that interrupted writes left behind.
 const ROUNDS_BETWEEN_SWEEPS: u64 = 600;
-/// Rounds between two purges of what has outlived its retention.
+/// Rounds between two purges of records past their retention.
 const ROUNDS_BETWEEN_PURGES: u64 = 60;
-/// Rounds between two looks for waits that a clock has made longer.
+/// Rounds between two checks for waits that a clock set back has made longer.
 const ROUNDS_BETWEEN_BOUNDS: u64 = 60;
-/// Rounds for which nothing expires after the clock was set, so that whoever holds a lease can renew it by the new one.
+/// Rounds after a change of the clock in which nothing expires, so that holders of leases can renew them by the new
+/// time.
 const ROUNDS_AFTER_SET: u64 = 60;
 /// Jobs purged in one round.
 const PURGED_AT_ONCE: u32 = 1000;
-/// How long a job may exceed its run time before it is taken from the worker that should have ended it.
+/// How long a job may exceed its run time before it is taken from its worker, which should have ended it.
 const OVERDUE_TOLERANCE: Duration = Duration::from_secs(30);
 
 /// The dependencies of housekeeping.
@@ -36,11 +37,11 @@ pub(crate) struct Housekeeper {
     pub(crate) processes: Option<Arc<dyn Processes>>,
     /// How long jobs and results are kept.
     pub(crate) retention: Retentions,
-    /// What goes on with studies.
+    /// Advances studies.
     pub(crate) studies: StudyProgression,
 }
 
-/// What the audit log says of a purge: nobody asked for it but the settings.
+/// The audit event of a purge: the settings caused it, not a person.
 fn purge_event() -> AuditEvent {
     AuditEvent {
         tenant: None,
@@ -103,7 +104,7 @@ impl Housekeeper {
         }
     }
 
-    /// Holds the clock against the last time that was seen. Says whether it can be believed.
+    /// Compares the clock with the last time that was seen. Returns whether the clock is plausible.
     async fn believes_clock(&self) -> Result<bool, JobError> {
         let state = self.store.check_clock(false).await?;
         metrics::gauge!("homolog_clock_jumped").set(if state == ClockState::Plausible { 0.0 } else { 1.0 });
@@ -124,7 +125,7 @@ impl Housekeeper {
             *expires_from = round + ROUNDS_AFTER_SET;
             self.believes_clock().await?;
         }
-        // It may have been set while no process ran.
+        // The clock may have been set while no process ran.
         if was_set || round.is_multiple_of(ROUNDS_BETWEEN_BOUNDS) {
             let n_shorter = self.store.bound_waits().await?;
             if n_shorter > 0 {
@@ -141,10 +142,10 @@ impl Housekeeper {
             }
         }
         if let Err(error) = self.studies.advance_studies().await {
-            // One study that cannot go on keeps nothing else from being done.
+            // A study that cannot continue must not stop the rest of the round.
             tracing::warn!(error = %with_sources(&error), "a study goes on later");
         }
-        // What is removed is gone: a clock that was set wrong must not decide about it.
+        // Removal is final, so a clock that was set wrong must not decide about it.
         let is_due = round.is_multiple_of(ROUNDS_BETWEEN_PURGES);
         if is_due && self.believes_clock().await? {
             let purged = self.store.purge(&self.retention, PURGED_AT_ONCE, false).await?;

@@ -1,6 +1,7 @@
-//! The engine of this service: it checks surfaces and matches pairs of them.
+//! The engine of this service, which checks surfaces and matches pairs of them.
 //!
-//! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`]; `study_engine` does so with `homolog_study`.
+//! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`];
+//! `study_engine` connects them with `homolog_study`.
 
 use super::study_engine::{self, StudyStep};
 use super::{prediction, presentation};
@@ -28,7 +29,7 @@ pub struct MatchEngine {
     shared: Arc<Shared>,
 }
 
-/// What all computations of an engine share.
+/// State that all computations of an engine share.
 #[derive(Debug)]
 struct Shared {
     limits: IntakeLimits,
@@ -55,7 +56,7 @@ impl MatchEngine {
 
 impl Engine for MatchEngine {
     fn join_instances(&self, mut instances: Vec<Bytes>) -> Result<Bytes, InputRefusal> {
-        // Files of a series are in no order; this one gives equal bytes.
+        // The files of a series have no order; sorting them by hash gives equal bytes.
         instances.sort_by_cached_key(|bytes| *blake3::hash(bytes).as_bytes());
         let files: Vec<(String, Bytes)> =
             instances.into_iter().zip(1..).map(|(bytes, k)| (format!("{k:05}.dcm"), bytes)).collect();
@@ -125,8 +126,8 @@ impl Engine for MatchEngine {
     }
 }
 
-/// `parameters` without the learned prior of the hippocampus, which version 0.1 applied by default: jobs that it queued are
-/// computed without.
+/// `parameters` without the learned prior of the hippocampus. Version 0.1 applied it by default; jobs that it queued
+/// are computed without the prior.
 fn without_learned_prior(parameters: &Value) -> Value {
     let mut parameters = parameters.clone();
     if let Some(anatomy) = parameters.pointer_mut("/displacement/anatomy").filter(|a| **a == "hippocampus") {
@@ -187,7 +188,7 @@ impl Computation for Match {
     }
 }
 
-/// The blobs of a result. The correspondences are a blob of their own, because they are large and rarely needed.
+/// The blobs of a result. The correspondences have their own blob, because they are large and rarely needed.
 fn answer(output: RunOutput) -> Result<Answer, Failure> {
     let aligned = output
         .aligned()
@@ -206,7 +207,7 @@ fn answer(output: RunOutput) -> Result<Answer, Failure> {
     Ok(Answer { products, verdict: Some(document.verdict()) })
 }
 
-/// A file name that reveals nothing but the format.
+/// A file name that reveals only the format.
 pub(super) fn file_name(hint: &str) -> String {
     format!("input{hint}")
 }

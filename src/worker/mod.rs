@@ -1,13 +1,13 @@
-//! Workers: claim a job, read its inputs, compute on threads of its own, and store the result under the lease.
+//! Workers: claim a job, read its inputs, compute on its own threads, and store the result under the lease.
 //!
-//! A worker knows nothing of what it computes: that is up to the [`crate::jobs::Engine`], of which [`match_engine`] is the
-//! real one. Reading order: [`schedule`] (which job starts next), [`capacity`], [`machine`] and [`prediction`] (the available
-//! cores and memory, and the demand of a match), [`pool`] (claims what can start), [`execution`] (one job from its claim to
-//! its end), [`heartbeat`] (on a thread of its own, so that no computation can starve it), [`observer`] (trace and
-//! progress), [`control`] (how a computation is told to stop), [`priority`] (computing threads run at a lower priority),
-//! [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats), [`study_engine`] and
-//! [`study_material`] (the steps of a study), [`isolation`] (computations in processes of their own), [`housekeeper`] (jobs of
-//! lost workers, unreferenced blobs), [`webhook_delivery`].
+//! A worker does not know what it computes: the [`crate::jobs::Engine`] does; in production it is [`match_engine`].
+//! Reading order: [`schedule`] (which job starts next), [`capacity`], [`machine`] and [`prediction`] (the available
+//! cores and memory, and the demand of a match), [`pool`] (claims jobs that can start), [`execution`] (one job from its
+//! claim to its end), [`heartbeat`] (on its own thread, so that no computation can starve it), [`observer`] (trace and
+//! progress), [`control`] (how a computation is told to stop), [`priority`] (computing threads run at a lower
+//! priority), [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats),
+//! [`study_engine`] and [`study_material`] (the steps of a study), [`isolation`] (computations in separate processes),
+//! [`housekeeper`] (jobs of lost workers, unreferenced blobs), [`webhook_delivery`].
 
 pub(crate) mod capacity;
 pub(crate) mod control;

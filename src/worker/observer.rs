@@ -12,7 +12,7 @@ use std::time::Instant;
 pub(crate) struct JobObserver {
     started: Instant,
     control: Arc<Control>,
-    /// The context of the run, whose parts the phases are.
+    /// The trace context of the run, the parent of the spans of the phases.
     context: Option<String>,
     observed: Mutex<Observed>,
 }
@@ -40,14 +40,14 @@ impl JobObserver {
         self.lock().phase_span = Span::default();
     }
 
-    /// The energy of the result, which may be another than that of the last point of the trace.
+    /// Sets the energy of the result, which may differ from the energy of the last trace point.
     pub(crate) fn settle_energy(&self, energy: f64) {
         let mut observed = self.lock();
         observed.progress.energy_latest = Some(energy);
         observed.changed = true;
     }
 
-    /// What was observed since the last call; `None` if nothing was.
+    /// Trace and progress since the last call; `None` if there is nothing new.
     pub(crate) fn take(&self) -> Option<TraceChunk> {
         let mut observed = self.lock();
         if !observed.changed {
@@ -65,7 +65,7 @@ impl JobObserver {
 impl Observer for JobObserver {
     fn phase(&self, phase: Phase) {
         let mut observed = self.lock();
-        // The span of the phase before ends first.
+        // The span of the previous phase ends first.
         observed.phase_span = Span::default();
         observed.phase_span = Span::part(phase.name(), self.context.as_deref());
         observed.progress.phase = Some(phase);
@@ -99,7 +99,7 @@ impl Observer for JobObserver {
     }
 }
 
-/// What is done in a phase, for people.
+/// A description of a phase, for people.
 fn sentence(phase: Phase) -> &'static str {
     match phase {
         Phase::Reading => "Reading both inputs",
@@ -113,7 +113,7 @@ fn sentence(phase: Phase) -> &'static str {
     }
 }
 
-/// The point without values that are not finite, which JSON cannot represent.
+/// The point without its non-finite values, which JSON cannot represent.
 fn finite(point: &TracePoint) -> TracePoint {
     let keep = |value: Option<f64>| value.filter(|v| v.is_finite());
     TracePoint {

@@ -1,4 +1,4 @@
-//! The jobs of a process: claimed when they can start, and run side by side as far as cores and memory suffice.
+//! The running jobs of a process: claimed when they can start, and run side by side while cores and memory suffice.
 
 use super::capacity::Capacity;
 use super::execution::execute;
@@ -18,7 +18,8 @@ use tokio_util::sync::CancellationToken;
 
 /// Wait after the store did not answer.
 const AFTER_ERROR: Duration = Duration::from_secs(1);
-/// Wait after other processes claimed all jobs that could start here, so that they do not keep reading the queue in step.
+/// Wait after other processes claimed all jobs that could start here, so that the processes do not read the queue in
+/// step.
 const AFTER_MISS: Duration = Duration::from_millis(5);
 /// Queued jobs that are read to find one that can start: more than start at once on any machine, and few enough that
 /// reading them takes a few milliseconds.
@@ -31,8 +32,8 @@ pub struct WorkerSettings {
     pub cores: usize,
     /// Memory that running jobs may be predicted to take together, bytes.
     pub memory_bytes: u64,
-    /// Jobs run at the same time, each with an equal share of the cores; `None`: as many as the cores and the memory are
-    /// predicted to suffice for.
+    /// Number of jobs that run at the same time, each with an equal share of the cores; `None`: as many as the cores
+    /// and the memory are predicted to suffice for.
     pub slots: Option<usize>,
     /// How long later jobs may overtake a job for which not enough cores or memory are free.
     pub patience: Duration,
@@ -50,7 +51,7 @@ pub struct WorkerSettings {
     pub stop_timeout: Duration,
     /// How long results are kept.
     pub retention: Retentions,
-    /// How long its cores stay reserved after that, before they are given to other jobs while the thread still runs.
+    /// How long the cores of a computation that does not stop remain reserved before other jobs get them.
     pub abandon_after: Duration,
 }
 
@@ -80,11 +81,11 @@ pub(crate) struct PoolParts {
     pub(crate) store: Arc<dyn JobStore>,
     /// Blobs.
     pub(crate) artifacts: Arc<dyn ArtifactStore>,
-    /// Studies, and what goes on with them.
+    /// Studies, and their progress.
     pub(crate) studies: StudyProgression,
     /// The computation.
     pub(crate) engine: Arc<dyn Engine>,
-    /// Extends the leases, over database connections of its own.
+    /// Extends the leases, over separate database connections.
     pub(crate) heartbeats: Arc<Heartbeats>,
     /// The identity under which jobs are claimed.
     pub(crate) worker: WorkerId,
@@ -139,7 +140,7 @@ enum Attempt {
     Nothing,
 }
 
-/// A queued job as the dispatcher knows it. Its parameters never change, so they are read once, however often the queue is.
+/// A queued job as the dispatcher knows it. Its parameters never change, so they are read only once.
 struct Known {
     computation: Result<Arc<dyn Computation>, Failure>,
     demand: Demand,
@@ -155,7 +156,7 @@ impl Known {
     }
 }
 
-/// Claims only what can start: a job that has to wait does so in the queue, where any process can take it.
+/// Claims only jobs that can start: other jobs wait in the queue, where any process can take them.
 struct Dispatcher {
     parts: PoolParts,
     capacity: Capacity,
@@ -192,7 +193,7 @@ impl Dispatcher {
         }
     }
 
-    /// Starts a job, or waits until there may be one that can start.
+    /// Starts a job, or waits until a job may be able to start.
     async fn start_one(&mut self) {
         let free = self.free_room();
         if free.cores == 0 || !self.parts.quota.begin() {
@@ -215,7 +216,7 @@ impl Dispatcher {
         let PoolParts { store, engine, worker, settings, .. } = &self.parts;
         let (lease, max_run) = (settings.lease, settings.max_run);
         if settings.slots == Some(1) {
-            // The only slot is free, so the next job can start whatever its demand.
+            // The only slot is free, so the next job can start whatever its demand is.
             let Some(leased) = store.claim_next(worker, lease, max_run).await? else { return Ok(Attempt::Nothing) };
             let computation = engine.restore(&leased.job.parameters);
             let room = self.capacity.need(Demand::UNKNOWN);
@@ -277,7 +278,7 @@ impl Dispatcher {
     }
 }
 
-/// The text of an error with those of its sources, for logs.
+/// The text of an error followed by the texts of its sources, for logs.
 pub(crate) fn with_sources(error: &dyn std::error::Error) -> String {
     let mut text = error.to_string();
     let mut source = error.source();

@@ -1,5 +1,5 @@
-//! Conversion of stored parts of a result to other file formats. Vertex indices are copied as stored: they count the
-//! vertices of the uploads (see [`homolog_run`]), which the stored surfaces have.
+//! Conversion of stored parts of a result to other file formats. Vertex indices are copied as stored: they number the
+//! vertices of the uploads (see [`homolog_run`]), which are also those of the stored surfaces.
 
 use crate::jobs::{DicomDetails, PartFormat, PresentError, ResultPart};
 use homolog_contract::result::{Correspondences, ResultDocument, TransformDocument, WarpDirection, WarpSpace};
@@ -24,12 +24,14 @@ use homolog_run::{
 };
 use serde::Deserialize;
 
-/// Value of `target` and of the corners of the triangle for a source vertex without a correspondence; its other values are 0.
+/// Value of `target` and of the corners of the triangle for a source vertex without a correspondence; its other values
+/// are 0.
 pub const NO_TARGET: i32 = -1;
 
-/// A part of a result in `format`, made from the stored blobs of the part: the correspondences (JSON), with the source
-/// surface (PLY) for surface formats; the result document (JSON); a surface (PLY); all of these for a bent surface; or these
-/// and the energy trace (JSON) for a report. With them, both uploads for LTA, and both uploads and [`DicomDetails`] for DICOM.
+/// A part of a result in `format`, made from the part's stored blobs. These are: for correspondences, the
+/// correspondences (JSON), and the source surface (PLY) for surface formats; the result document (JSON); a surface
+/// (PLY); all of these for a bent surface; all of these and the energy trace (JSON) for a report. LTA also needs both
+/// uploads, DICOM both uploads and [`DicomDetails`].
 ///
 /// # Errors
 /// [`PresentError`].
@@ -139,7 +141,7 @@ fn one_way(pairs: Correspondences, direction: WarpDirection) -> Result<Correspon
     }
 }
 
-/// Both surfaces in one scene, in corresponding colors: one moved rigidly onto the other, and the other.
+/// Both surfaces in one scene, in corresponding colors: one surface moved rigidly onto the other.
 fn corresponding_scene(
     [source, target]: &[SurfaceMesh; 2],
     pairs: &Correspondences,
@@ -193,7 +195,7 @@ fn table(pairs: &Correspondences, format: PartFormat) -> Result<Option<Vec<u8>>,
     let columns =
         PairColumns { source, target, confidence, inlier, spread_mm, outlier: &outlier, triangle, barycentric };
     Ok(match format {
-        // Forwards, the stored form is this one already.
+        // From source to target this is the stored form.
         PartFormat::Json => Some(serde_json::to_vec(pairs).map_err(|e| unreadable("correspondences as JSON", e))?),
         PartFormat::Csv => Some(pairs.to_csv().into_bytes()),
         PartFormat::Npy => Some(write_npy(&columns)),
@@ -295,7 +297,8 @@ fn correspondences(stored: &[u8]) -> Result<Correspondences, PresentError> {
     pairs.completed().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
 }
 
-/// A surface that this program wrote. The limits for uploads do not apply: they may have been lowered since.
+/// A surface that this program wrote. The limits for uploads do not apply, because they may have been lowered in the
+/// meantime.
 fn surface_mesh(stored: &[u8]) -> Result<SurfaceMesh, PresentError> {
     let limits = ReadLimits { max_vertices: usize::MAX, ..ReadLimits::default() };
     read_ply(stored, &limits).map(|file| file.mesh).map_err(|error| unreadable("a stored surface", error))

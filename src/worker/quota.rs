@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Limits after which a process exits by itself, for example one that a batch scheduler starts for a few jobs.
+/// Limits after which a process exits by itself, for example a process that a batch scheduler starts for a few jobs.
 #[derive(Debug, Default)]
 pub struct Quota {
     /// Exits after this time without a job.
@@ -22,7 +22,7 @@ impl Quota {
         Quota { idle, max_jobs, ..Quota::default() }
     }
 
-    /// Counts a job that is about to be claimed; `false` if the number of jobs is reached.
+    /// Counts a job that is about to be claimed; `false` if the limit on jobs is reached.
     pub(super) fn begin(&self) -> bool {
         let begun = self.begun.fetch_add(1, Ordering::SeqCst);
         if self.max_jobs.is_some_and(|most| begun >= most) {
@@ -33,7 +33,7 @@ impl Quota {
         true
     }
 
-    /// Uncounts it if no job was found.
+    /// Reverses the count if no job was found.
     pub(super) fn claimed(&self, found: bool) {
         if !found {
             self.begun.fetch_sub(1, Ordering::SeqCst);
@@ -41,7 +41,7 @@ impl Quota {
         }
     }
 
-    /// A job has ended.
+    /// Records that a job has ended.
     pub(super) fn ended(&self) {
         self.running.fetch_sub(1, Ordering::SeqCst);
         *self.idle_since.lock().unwrap_or_else(PoisonError::into_inner) = None;

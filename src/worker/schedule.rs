@@ -1,10 +1,10 @@
-//! The rule by which a process chooses its next job: a function of what is free and of what is queued, nothing else.
+//! The rule by which a process chooses its next job: a pure function of the free resources and the queue.
 //!
-//! Jobs start in the order of the queue. A job that needs more than is free may be overtaken by later ones that fit, so
-//! that no core idles while there is work for it. Once it has waited for `patience`, no later job starts before it, and
-//! the running jobs finish until there is room. A large job therefore waits at most for `patience` and the longest job
-//! that is then running; the price is cores that are idle until then. Processes that share a queue apply the rule
-//! independently; the first that has room claims the job.
+//! Jobs start in the order of the queue. Later jobs that fit may overtake a job that needs more than is free, so that
+//! no core idles while there is work for it. Once the job has waited for `patience`, no later job starts before it, and
+//! the running jobs finish until there is room. A large job therefore waits at most for `patience` plus the longest job
+//! that is then running; meanwhile some cores are idle. Processes that share a queue apply the rule independently; the
+//! first that has room claims the job.
 
 use std::time::Duration;
 
@@ -44,24 +44,24 @@ impl Room {
         }
     }
 
-    /// The minimum of this and `budget`: a job that needs more than there is gets everything, and runs alone.
+    /// The minimum of this and `budget`: a job that needs more than the budget gets all of it, and runs alone.
     #[must_use]
     pub(crate) fn at_most(self, budget: Room) -> Room {
         Room { cores: self.cores.min(budget.cores), memory_bytes: self.memory_bytes.min(budget.memory_bytes) }
     }
 }
 
-/// A queued job, as far as the rule looks at it.
+/// The properties of a queued job that the rule uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Candidate {
-    /// What it needs; at most the budget.
+    /// What the job needs; at most the budget.
     pub(crate) need: Room,
-    /// For how long it has been waiting.
+    /// How long the job has been waiting.
     pub(crate) waited: Duration,
 }
 
-/// The indices of the jobs of `waiting`, in the order of the queue, any one of which may start now. The caller claims the
-/// first that no other process has claimed, starts it, and calls again with what is then free.
+/// The indices of the jobs of `waiting`, in the order of the queue, that may start now. The caller claims the first one
+/// that no other process has claimed, starts it, and calls again with the remaining resources.
 ///
 /// # Cost
 /// `O(n)` for `n` waiting jobs.

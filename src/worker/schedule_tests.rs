@@ -43,7 +43,7 @@ fn candidates() -> impl Strategy<Value = Vec<Candidate>> {
     prop::collection::vec((1..=4usize, 0..=100u64, 0..10u64).prop_map(|(c, m, w)| candidate(c, m, w)), 0..12)
 }
 
-/// A job of the simulation: when it is queued, what it needs, for how long it runs.
+/// A job of the simulation: its arrival time, its need, its run time.
 #[derive(Debug, Clone, Copy)]
 struct Arrival {
     at: u64,
@@ -67,8 +67,8 @@ struct Start {
     at: u64,
 }
 
-/// Simulates a process that follows the rule, in discrete time. When no further job starts in a step, `check` gets the time,
-/// what is free, and the waiting jobs.
+/// Simulates a process that follows the rule, in discrete time. When no further job starts in a step, `check` gets the
+/// time, the free resources, and the waiting jobs.
 fn simulate(jobs: &[Arrival], patience: u64, mut check: impl FnMut(u64, Room, &[usize])) -> Vec<Start> {
     let (mut waiting, mut running): (Vec<usize>, Vec<(usize, u64)>) = (Vec::new(), Vec::new());
     let (mut starts, mut next, mut now) = (Vec::new(), 0, 0);
@@ -149,7 +149,7 @@ proptest! {
         let starts = simulate(&jobs, patience, |_, _, _| {});
         let longest = jobs.iter().map(|job| job.takes).max().unwrap();
         for start in &starts {
-            // From then on it is the oldest that waits.
+            // The job is the oldest waiting job once all older ones have started.
             let older = starts.iter().filter(|other| other.job < start.job).map(|other| other.at).max().unwrap_or(0);
             let begins = older.max(jobs[start.job].at + patience);
             prop_assert!(start.at <= begins + longest, "{:?} waited past {}", start, begins + longest);

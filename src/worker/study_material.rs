@@ -1,4 +1,4 @@
-//! What a step of a study works on, read from the stores: its definition, the records and the template that are there, and the
+//! The inputs of a step of a study, read from the stores: its definition, the existing records and template, and the
 //! files of its subjects, each when it is needed.
 
 use super::execution::retrying;
@@ -32,13 +32,13 @@ impl fmt::Debug for Uploads {
 impl StudyInputs for Uploads {
     fn read(&self, hash: &str) -> io::Result<Vec<u8>> {
         let key = ArtifactKey::of_hash(&self.tenant, hash).ok_or(io::ErrorKind::NotFound)?;
-        // Threads of computations are none of the runtime's, so they may wait for it.
+        // The threads of computations do not belong to the runtime, so they may wait for it.
         let bytes = self.runtime.block_on(retrying(|| self.artifacts.get(&key)));
         bytes.map(Vec::from).map_err(io::Error::other)
     }
 }
 
-/// Reads what a step works on.
+/// Reads the inputs of a step.
 ///
 /// # Errors
 /// Those of the stores.

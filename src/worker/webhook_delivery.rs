@@ -1,12 +1,12 @@
 //! Delivery of webhooks: state changes become deliveries, which are attempted until the receiver accepts them.
 //!
-//! Every process that serves HTTP delivers webhooks; workers do not. Each webhook has a queue of its own, and takes turns with
-//! the others; the store ensures that only one process at a time serves it. A receiver that does not answer delays only what is
-//! sent to it: its tenant has a share of the turns that are served at the same time, its own turns become rare
-//! ([`FAILURES`]), and new changes are sent before old ones are repeated.
+//! Every process that serves HTTP delivers webhooks; workers do not. Each webhook has its own queue and takes turns
+//! with the others; the store ensures that only one process at a time serves a webhook. A receiver that does not answer
+//! delays only its own deliveries: a tenant has a limited share of the concurrent turns, the turns of a failing
+//! receiver become rare ([`FAILURES`]), and new changes are sent before old ones are repeated.
 //!
-//! A delivery that was sent but whose success could not be recorded is sent again, under the same id, by which the receiver
-//! can recognize it.
+//! If a delivery was sent but its success could not be recorded, it is sent again under the same id, by which the
+//! receiver can recognize it.
 
 use super::pool::with_sources;
 use crate::jobs::address::{NOT_PUBLIC, check_url, is_public};
@@ -21,11 +21,11 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
 
-/// Time between two looks for changes and deliveries.
+/// Time between two checks for changes and deliveries.
 const ROUND: Duration = Duration::from_millis(500);
 /// Time limit of an attempt.
 const ATTEMPT_TIMEOUT: Duration = Duration::from_secs(15);
-/// For how long a webhook is withheld from other processes during its turn; longer than an attempt takes.
+/// How long a webhook is withheld from other processes during its turn; longer than an attempt takes.
 const CLAIM: Duration = Duration::from_secs(60);
 /// Attempts after which a delivery has failed.
 const MAX_ATTEMPTS: u32 = 10;
@@ -33,9 +33,9 @@ const MAX_ATTEMPTS: u32 = 10;
 const MAX_PAUSE: Duration = Duration::from_secs(12 * 3600);
 /// Deliveries of a webhook in a turn, which are attempted concurrently.
 const OF_TURN: u32 = 8;
-/// Turns without success after which a receiver is left alone for a while; each further one triples the pause.
+/// Turns without success after which a receiver is paused; each further failed turn triples the pause.
 const FAILURES: u32 = 3;
-/// Longest such pause.
+/// Longest pause of a receiver.
 const MAX_BREAK: Duration = Duration::from_secs(3600);
 
 /// Settings of the delivery of webhooks.
@@ -63,7 +63,7 @@ pub struct WebhookDelivery {
 struct NotPublic;
 
 impl NotPublic {
-    /// Whether this is the cause of an error.
+    /// Whether a private address caused this error.
     fn is_cause_of(error: &reqwest::Error) -> bool {
         let mut next = Some(error as &(dyn std::error::Error + 'static));
         while let Some(error) = next {
@@ -87,7 +87,8 @@ impl Resolve for PublicOnly {
         let allow_private = self.allow_private;
         Box::pin(async move {
             let found: Vec<SocketAddr> = tokio::net::lookup_host((name.as_str(), 0)).await?.collect();
-            // One private address among public ones is enough to refuse: the owner of the name controls which one is used.
+            // One private address among public ones is enough to refuse: the owner of the name controls which address
+            // is used.
             if !allow_private && found.iter().any(|address| !is_public(address.ip())) {
                 return Err(NotPublic.into());
             }
@@ -196,12 +197,12 @@ impl WebhookDelivery {
         Ok(attempted)
     }
 
-    /// Attempts a delivery; `context` is that of its span.
+    /// Attempts a delivery; `context` is the trace context of its span.
     async fn attempt(&self, due: &DueDelivery, context: Option<String>) -> Result<Attempted, JobError> {
         let answer = self.send(due, context).await;
         Ok(match answer {
             Ok(status) if status.is_success() => Attempted::Delivered { status: status.as_u16() },
-            // 410 means that the receiver is gone for good.
+            // 410 means that the receiver is gone permanently.
             Ok(StatusCode::GONE) => {
                 self.store.disable_webhook(&due.webhook_id, "the receiver answered 410 Gone").await?;
                 Attempted::Failed { status: Some(410), error: "the receiver answered 410 Gone".to_owned() }

@@ -1,14 +1,14 @@
-//! An allocator that counts what the process holds, of all its threads, for test binaries.
+//! An allocator for test binaries that counts the memory held by all threads of the process.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Counts what the process holds, and the most that it has held.
+/// Counts the memory that the process holds, and its peak.
 struct Counting;
 
 /// Bytes that the process holds.
 pub(crate) static HELD: AtomicUsize = AtomicUsize::new(0);
-/// The most that it has held since this was set.
+/// Peak of [`HELD`] since this was set.
 pub(crate) static MOST: AtomicUsize = AtomicUsize::new(0);
 
 // SAFETY: every call is passed on to the system's allocator with the same arguments; counting allocates nothing.

@@ -1,4 +1,5 @@
-//! The audit log: every request that changes something or reads a result leaves a row, and a log that is not whole is found out.
+//! The audit log: every request that changes something or reads a result leaves a row, and verification detects an
+//! incomplete log.
 
 use super::cli::homolog;
 use super::encryption::command;
@@ -61,7 +62,7 @@ async fn rows_that_were_changed_removed_or_cut_off_are_found(f: Fixture) {
     let database = f.site.database().await;
     f.store.append_audit(&vec![event("submit_job"); 9]).await.unwrap();
     let noted = verified(&f, None).await.unwrap();
-    // The tables themselves refuse it, so that it takes an owner of the database who means to.
+    // The tables themselves refuse changes, so only an owner of the database can tamper with the log on purpose.
     for refused in [
         "UPDATE audit SET tenant = 'other' WHERE position = 4",
         "DELETE FROM audit WHERE position = 9",
@@ -97,7 +98,7 @@ async fn rows_that_were_changed_removed_or_cut_off_are_found(f: Fixture) {
     assert_eq!(removed.0, Err(AuditFault::Missing(4)));
     let cut = after("DELETE FROM audit WHERE position > 6").await;
     assert_eq!(cut.0, Err(AuditFault::Truncated(7, 9)));
-    // Cut off together with the record of its end: only found by who has noted it.
+    // Cut off together with the record of its end: detected only with a noted position and hash.
     let both = "DELETE FROM audit WHERE position > 6;
                 UPDATE audit_head SET position = 6, hash = (SELECT hash FROM audit WHERE position = 6)";
     let (unnoticed, noticed) = after(both).await;
@@ -173,7 +174,7 @@ async fn every_operation_that_changes_something_or_reads_a_result_leaves_a_row()
             recorded.insert(name.to_owned());
         }
     }
-    // Whatever is not a GET is recorded; of the GETs, those of results and of the content of uploads.
+    // Every request except GET is recorded, and also every GET of a result or of the content of an upload.
     for (_, item) in document["paths"].as_object().unwrap() {
         for (method, operation) in item.as_object().unwrap().iter().filter(|(method, _)| *method != "get") {
             let name = operation["operationId"].as_str().unwrap();
@@ -215,7 +216,7 @@ async fn rows_say_who_did_what_and_nothing_of_a_patient() {
         let method = if path.ends_with("result") { reqwest::Method::GET } else { reqwest::Method::POST };
         service.client.request(method, url(path)).bearer_auth(&submitter).body("mesh").send().await.unwrap();
     }
-    // Nobody: the key that was sent is not repeated.
+    // An unknown caller: the log does not contain the key that was sent.
     let refused =
         service.client.delete(url(&format!("/v1/jobs/{id}"))).bearer_auth("hml_Doe-Jane").send().await.unwrap();
     assert_eq!(refused.status(), 401);
@@ -241,7 +242,7 @@ async fn rows_say_who_did_what_and_nothing_of_a_patient() {
     assert_eq!(of("get_result", 404).resource, None);
     assert!(of("upload_mesh", 201).resource.as_deref().unwrap().starts_with("meshes/blake3:"));
     assert_eq!((&of("delete_job", 401).tenant, &of("delete_job", 401).key_id), (&None, &None));
-    // The commands that created the keys.
+    // Rows of the commands that created the keys.
     let created: Vec<_> = rows.iter().filter(|row| row.action == "create_key").collect();
     assert_eq!(created.len(), 2);
     assert_eq!((created[0].tenant.as_deref(), created[0].address.as_deref()), (Some("clinic-a"), Some("command-line")));
@@ -326,7 +327,7 @@ async fn a_pruned_log_is_still_verified_from_where_it_begins(backend: Backend) {
     let (code, said) = command(&site, &["audit", "verify", "--file", file.to_str().unwrap()]).await;
     assert_eq!(code, Some(0), "{said}");
 
-    // A log that is cut off at its beginning, with an anchor to match, has no row that says so.
+    // A log that is cut off at its beginning, with a matching anchor, has no row that records the pruning.
     database.try_execute("DELETE FROM audit WHERE position = 3").await;
     assert_eq!(database.number("SELECT COUNT(*) FROM audit").await, 3);
     let of_third: Value = serde_json::from_str(rows[0]).unwrap();

@@ -1,4 +1,4 @@
-//! Back-up and restore: made while the service runs, refused when anything is missing or damaged.
+//! Back-up and restore: made while the service runs, refused if anything is missing or damaged.
 
 use super::cli::homolog;
 use super::jobs_support::TestService;
@@ -45,7 +45,7 @@ async fn a_service_is_backed_up_while_it_runs_and_restored_whole() {
     assert!(code == Some(0) && said.starts_with("backed up the database and "), "{said}{stderr}");
     let n_first = blobs(&backup).len();
 
-    // Once more, while jobs are being run and deleted.
+    // A second back-up, while jobs are being run and deleted.
     let client = service.client.clone();
     let base = service.base.clone();
     let deleted = ids.remove(0);
@@ -79,7 +79,7 @@ async fn a_service_is_backed_up_while_it_runs_and_restored_whole() {
     }
     let (code, said, stderr) = run(&["audit", "verify"], &restored).await;
     assert!(code == Some(0), "{said}{stderr}");
-    // Into the data directory that is now in use: refused.
+    // A restore into the data directory that is now in use is refused.
     let (code, _, stderr) = run(&["restore", backup_text], &restored).await;
     assert!(code == Some(2) && stderr.contains("is not empty"), "{stderr}");
 
@@ -94,7 +94,7 @@ async fn a_service_is_backed_up_while_it_runs_and_restored_whole() {
         assert_eq!((after.status().as_u16(), after.bytes().await.unwrap()), (200, before));
     }
     assert_eq!(service.get(&format!("{upload}/content")).await.text().await.unwrap(), "an upload");
-    // Whatever the copy of the database knows has its files.
+    // Every file that the copied database references is in the back-up.
     let jobs: Value = service.json("/v1/jobs?state=succeeded&page_size=100").await;
     for job in jobs["jobs"].as_array().unwrap() {
         assert_eq!(service.get(job["links"]["result"].as_str().unwrap()).await.status(), 200);
@@ -154,7 +154,7 @@ async fn a_backup_succeeds_only_with_what_can_be_restored() {
     let backup = folder.path().join("backup");
     let back_up = async || run(&["backup", backup.to_str().unwrap()], service.folder.path()).await;
     assert_eq!(back_up().await.0, Some(0));
-    // A copy that was damaged since, at the same length, is replaced.
+    // A copy that was damaged later, at the same length, is replaced.
     let copy = blobs(&backup).into_iter().next().unwrap();
     let own = service.folder.path().join(copy.strip_prefix(&backup).unwrap());
     let stored = fs::read(&own).unwrap();
@@ -163,7 +163,7 @@ async fn a_backup_succeeds_only_with_what_can_be_restored() {
     fs::write(&copy, &wrong).unwrap();
     assert_eq!(back_up().await.0, Some(0));
     assert!(fs::read(&copy).unwrap() == stored, "as it was");
-    // One that is damaged in the service cannot be restored, wherever it is copied.
+    // A blob that is damaged in the service cannot be restored, wherever it is copied.
     fs::write(&own, &wrong).unwrap();
     fs::remove_file(&copy).unwrap();
     let (code, _, stderr) = back_up().await;

@@ -1,5 +1,5 @@
-//! What browsers and dashboards need: pages of other origins, `OPTIONS` and `HEAD` on every route, one stream of events for all jobs,
-//! slim lists, compressed answers.
+//! The needs of browsers and dashboards: pages of other origins, `OPTIONS` and `HEAD` on every route, one stream of
+//! events for all jobs, lists with selected members, compressed answers.
 
 use super::clients::{modules, node, said};
 use super::encryption::command;
@@ -84,7 +84,7 @@ async fn head_and_options_are_right_on_every_route() {
         assert_eq!(options.bytes().await.unwrap().len(), 0);
         if item.get("get").is_some() {
             let head = asked(&service, Method::HEAD, &path, &[]).await;
-            // Streams end when their client leaves.
+            // Streams end when their client disconnects.
             let got = asked(&service, Method::GET, &path, &[]).await;
             assert_eq!(head.status(), got.status(), "{path}");
             assert_eq!(header(&head, "content-type"), header(&got, "content-type"), "{path}");
@@ -98,7 +98,7 @@ async fn head_and_options_are_right_on_every_route() {
     service.end().await;
 }
 
-/// Events of a stream until `done` holds of those so far.
+/// Reads events of a stream until `done` holds for the events so far.
 async fn events(mut stream: Response, done: impl Fn(&[(String, Value)]) -> bool) -> Vec<(String, Value)> {
     assert_eq!(stream.status(), 200);
     let mut text = String::new();
@@ -139,7 +139,7 @@ async fn one_stream_has_every_change_of_all_jobs_and_resumes() {
     }
     let numbers: Vec<u64> = found[1..].iter().map(|(_, data)| data["seq"].as_u64().unwrap()).collect();
     assert_eq!(numbers, (4..=9).collect::<Vec<u64>>());
-    // From the beginning, and from any event on.
+    // From the beginning, and from any later event.
     let all = events(service.get("/v1/events?since=0").await, |found| found.len() == 10).await;
     assert_eq!(states(&all, &earlier), ["queued", "running", "succeeded"]);
     let resumed = asked(&service, Method::GET, "/v1/events", &[("last-event-id", "7")]).await;
@@ -161,7 +161,7 @@ async fn lists_have_only_the_members_that_are_asked_for() {
     assert_eq!(members, ["id", "links", "state"]);
     let refused = problem(service.get("/v1/jobs?fields=id,stat").await, 400, "invalid-query").await;
     assert!(refused["errors"][0]["detail"].as_str().unwrap().contains("queue_position"), "{refused}");
-    // Every other list, without the members that are not asked for, and refused with the members that it has.
+    // Every other list omits the members that are not requested, and a refusal names the members that it has.
     let mesh: Value = service
         .client
         .post(format!("{}/v1/meshes", service.base))
@@ -241,7 +241,7 @@ async fn compressed_answers_are_whole() {
         assert_eq!(header(&gzip, "content-encoding"), "gzip", "{part}");
         let (gzip, mut unpacked) = (gzip.bytes().await.unwrap(), Vec::new());
         flate2::read::GzDecoder::new(&gzip[..]).read_to_end(&mut unpacked).unwrap();
-        // Coordinates have few digits in common.
+        // Coordinates share few digits, so they compress poorly.
         let is_binary = part.contains("format=") && !part.contains("csv") || part.contains("files");
         let most = if is_binary { plain.len() * 9 / 10 } else { plain.len() / 2 };
         println!("{part}: {} bytes, {} with gzip", plain.len(), gzip.len());
@@ -251,7 +251,7 @@ async fn compressed_answers_are_whole() {
         let zstd = zstd.bytes().await.expect("a whole answer");
         assert!(zstd.starts_with(&[0x28, 0xb5, 0x2f, 0xfd]) && zstd.len() < most, "{part}: {}", zstd.len());
     }
-    // What is compressed already is left as it is.
+    // Formats that are already compressed are not compressed again.
     for part in ["/correspondences?format=npz", "/correspondences?format=parquet", "/files/correspondences.npz"] {
         let answer = asked(&service, Method::GET, &format!("{job}{part}"), &[("accept-encoding", "gzip, zstd")]).await;
         assert!(answer.status() == 200 && !answer.headers().contains_key("content-encoding"), "{part}");
@@ -281,7 +281,7 @@ async fn compressed_downloads_and_ranges_are_not_taken_for_each_other() {
     let (packed, mut unpacked) = (packed.bytes().await.unwrap(), Vec::new());
     flate2::read::GzDecoder::new(&packed[..]).read_to_end(&mut unpacked).unwrap();
     assert!(unpacked == content.as_bytes() && packed.len() < content.len() / 10);
-    // A range is of the bytes as they are, and no continuation of a compressed answer.
+    // A range covers the uncompressed bytes, and does not continue a compressed answer.
     let part = with(&[accepts, ("range", "bytes=100-50099"), ("if-range", &strong)]).await;
     assert_eq!((part.status().as_u16(), header(&part, "etag")), (206, strong.as_str()));
     assert_eq!(header(&part, "content-range"), format!("bytes 100-50099/{}", content.len()));
@@ -290,7 +290,7 @@ async fn compressed_downloads_and_ranges_are_not_taken_for_each_other() {
     assert_eq!(part.bytes().await.unwrap(), content.as_bytes()[100..50_100]);
     let whole = with(&[accepts, ("range", "bytes=100-50099"), ("if-range", &weak)]).await;
     assert_eq!((whole.status().as_u16(), header(&whole, "content-encoding")), (200, "gzip"));
-    // Either copy is current, and stays what it is.
+    // Both copies are current, and each keeps its encoding.
     for known in [&strong, &weak] {
         let same = with(&[accepts, ("if-none-match", known)]).await;
         assert_eq!((same.status().as_u16(), header(&same, "etag")), (304, known.as_str()));
@@ -299,7 +299,7 @@ async fn compressed_downloads_and_ranges_are_not_taken_for_each_other() {
     let head = asked(&service, Method::HEAD, &path, &[accepts]).await;
     assert_eq!((header(&head, "content-encoding"), header(&head, "etag")), ("gzip", weak.as_str()));
     assert!(!head.headers().contains_key("content-length"), "that of the other form");
-    // An upload that is compressed is not compressed again.
+    // A compressed upload is not compressed again.
     let path = upload(packed.to_vec().repeat(40)).await;
     let again = asked(&service, Method::GET, &path, &[accepts]).await;
     assert!(again.status() == 200 && !again.headers().contains_key("content-encoding"));
@@ -371,7 +371,8 @@ async fn a_template_can_be_the_source_of_a_batch() {
     service.end().await;
 }
 
-/// A page of another origin, in Chromium: it fetches, submits and streams, with a key and a ticket, and without where none are required.
+/// A page of another origin, in Chromium: it fetches, submits and streams, with a key and a ticket, and without
+/// credentials where none are required.
 #[tokio::test]
 #[ignore = "needs chromium and the packages of tests/clients"]
 async fn chromium_uses_the_service_from_another_origin() {

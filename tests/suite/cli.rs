@@ -130,7 +130,7 @@ fn match_says_first_whether_the_answer_can_be_relied_on() {
     };
     let text = shown(&target);
     assert!(text.starts_with("RELIABLE: no reason was found"), "{text}");
-    // A file against itself alarms nobody.
+    // A file matched with itself raises no warning.
     let text = shown(&source);
     assert!(text.starts_with("RELIABLE") && text.contains("0.00 mm apart on average"), "{text}");
     assert!(!text.contains("limit") && !text.contains("-0.00"), "{text}");
@@ -211,7 +211,7 @@ fn the_demo_runs_from_submission_to_aligned_surface() {
     assert!(!left.iter().any(|name| name.to_string_lossy().starts_with("service-data")), "{left:?}");
 }
 
-/// What `make demo KEEP=1` runs.
+/// The command that `make demo KEEP=1` runs.
 #[test]
 fn a_demo_that_is_kept_ends_with_the_address_of_its_match_and_runs_until_it_is_interrupted() {
     let folder = tempfile::tempdir().unwrap();
@@ -280,7 +280,7 @@ fn settings_come_from_the_file_the_environment_and_the_command_line_in_this_orde
     assert_eq!(line("database_url"), ("# database_url = \"***\"".to_owned(), "file".to_owned()));
     assert!(!printed.contains("geheim"));
 
-    // What is printed is a configuration file that gives the same settings.
+    // The printed text is a configuration file that gives the same settings.
     let again = folder.path().join("again.toml");
     fs::write(&again, &printed).unwrap();
     let (code, reprinted, stderr) = with_environment(&["config", "--config", again.to_str().unwrap()], &[]);

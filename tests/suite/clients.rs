@@ -1,5 +1,5 @@
-//! Programs of others: clients that generators make of the OpenAPI document, the Python package from its wheel, and the examples of
-//! the documentation, each against the program itself. `scripts/setup test` installs what they need.
+//! Third-party programs: clients that generators make from the OpenAPI document, the Python package from its wheel, and
+//! the examples of the documentation, each against the real program. `scripts/setup test` installs their dependencies.
 
 use super::faults::site::{Backend, Program, Site};
 use super::representations::small_volumes;
@@ -22,7 +22,7 @@ pub(super) fn node() -> Command {
     Command::new("node")
 }
 
-/// Makes the packages of tests/clients known to scripts in a folder.
+/// Makes the packages of tests/clients available to scripts in a folder.
 pub(super) fn modules(folder: &Path) {
     let link = folder.join("node_modules");
     if !link.exists() {
@@ -30,7 +30,7 @@ pub(super) fn modules(folder: &Path) {
     }
 }
 
-/// What a command prints, which must succeed. Runs beside the service that it talks to.
+/// The output of a command, which must succeed. The command runs at the same time as the service that it calls.
 pub(super) async fn said(mut command: Command) -> String {
     let done = tokio::task::spawn_blocking(move || command.output().unwrap_or_else(|e| panic!("{command:?}: {e}")))
         .await
@@ -41,7 +41,7 @@ pub(super) async fn said(mut command: Command) -> String {
     out
 }
 
-/// Writes two label volumes of one shape in different poses; their paths.
+/// Writes two label volumes of one shape in different poses; returns their paths.
 pub(super) fn pair(folder: &Path) -> [PathBuf; 2] {
     let paths = ["source.nii.gz", "target.nii.gz"].map(|name| folder.join(name));
     for (path, bytes) in paths.iter().zip(small_volumes()) {
@@ -50,7 +50,7 @@ pub(super) fn pair(folder: &Path) -> [PathBuf; 2] {
     paths
 }
 
-/// A running service, a folder for what a generator makes, and the document in it.
+/// A running service, a folder for the output of a generator, and the OpenAPI document in it.
 fn service() -> (Site, Program, tempfile::TempDir) {
     let site = Site::open(Backend::Sqlite);
     let program = site.program(&["--allow-private-webhooks", "--log", "error"]);
@@ -128,7 +128,7 @@ async fn openapi_generator_makes_a_client_in_java() {
     let (_site, program, folder) = service();
     let mut find = python("python");
     find.args(["-c", "import openapi_generator_cli as g, pathlib; print(pathlib.Path(g.__file__).with_name('openapi-generator.jar'))"]);
-    // It brings Jackson along, which the client needs.
+    // The generator contains Jackson, which the client needs.
     let generator = said(find).await.trim().to_owned();
     copy(folder.path(), &["Roundtrip.java", "java.json"]);
     let java = |program: &str, arguments: &[&str]| {
@@ -163,7 +163,7 @@ fn sources_under(folder: &Path, into: &mut Vec<String>) {
     }
 }
 
-/// Installs the wheel with this program in an environment below this folder, with nothing but what it asks for.
+/// Installs the wheel with this program in an environment below this folder, with only its declared dependencies.
 async fn install_package(here: &Path) {
     let mut build = Command::new(root().join("scripts/wheel"));
     build.arg(env!("CARGO_BIN_EXE_homolog")).arg(here).env("PYTHON", root().join("target/clients-env/bin/python"));
@@ -178,14 +178,14 @@ async fn install_package(here: &Path) {
     let mut empty = python("python");
     empty.args(["-m", "venv"]).arg(here.join("env"));
     said(empty).await;
-    // What the wheel asks for, from the wheels of the setup, at the versions of its list.
+    // The dependencies of the wheel, from the wheels of the setup, at the versions of its list.
     let mut install = Command::new(here.join("env/bin/python"));
     install.args(["-m", "pip", "--quiet", "--disable-pip-version-check", "install", "--no-index"]);
     install.arg("--find-links").arg(root().join("target/clients-wheels")).arg(&wheel);
     said(install).await;
 }
 
-/// Python of that environment with this program. Nothing of this machine but the environment: the service is that of the wheel.
+/// Python of that environment with this program. Nothing outside the environment is used: the service is the wheel's.
 fn researcher(here: &Path, text: &str) -> Command {
     let mut run = Command::new(here.join("env/bin/python"));
     run.current_dir(here).arg("-c").arg(text).env_clear().env("HOME", here);
@@ -200,7 +200,7 @@ fn package_examples() -> [String; 3] {
     blocks.try_into().expect("three examples")
 }
 
-/// The example of the README of the package as written, and the study of twenty subjects.
+/// The example in the package's README as written, and the study of twenty subjects.
 #[tokio::test]
 #[ignore = "needs the generators that scripts/setup test installs"]
 async fn the_python_package_is_all_that_a_researcher_installs() {
@@ -219,7 +219,7 @@ async fn the_python_package_is_all_that_a_researcher_installs() {
             pose_seed: Some(k),
             permute_seed: None,
         };
-        // Voxels of 2.5 mm would leave their rotation uncertain, and no study builds on that.
+        // Voxels of 2.5 mm would leave the rotation uncertain, and a study refuses such matches.
         let volume = PhantomPair::new(recipe).unwrap().source_volume(2.0).unwrap().into_label_volume().unwrap();
         fs::write(here.join(format!("subjects/{k:02}.nii.gz")), write_nifti_gz(&volume)).unwrap();
     }
@@ -245,7 +245,7 @@ async fn the_python_package_is_all_that_a_researcher_installs() {
     assert!(printed.contains("all of it") && !printed.contains("without "), "{printed}");
 }
 
-/// The same with files of patients, which are not part of the repository.
+/// As above, with patient files, which are not part of the repository.
 mod real_data {
     use super::*;
     use crate::fixtures::real_files;
@@ -273,11 +273,11 @@ mod real_data {
     }
 }
 
-/// The blocks of code of one language in a document, from a heading to the next of its rank.
+/// The code blocks of one language in a document, from a heading to the next heading of the same level.
 fn blocks(document: &str, heading: &str, language: &str) -> String {
     let text = fs::read_to_string(root().join(document)).unwrap();
     let from = text.split(&format!("\n{heading}\n")).nth(1).unwrap_or_else(|| panic!("no {heading} in {document}"));
-    // Comments of the shell begin as headings of the first rank do.
+    // Comments of the shell begin like headings of the first level.
     let own = format!("\n{} ", heading.split(' ').next().unwrap());
     let section = from.split(&own).next().unwrap().split("\n## ").next().unwrap();
     let found: Vec<&str> =
@@ -292,7 +292,7 @@ async fn examples_of_the_documentation_run_as_written() {
     let (_site, program, folder) = service();
     let here = folder.path();
     pair(here);
-    // Where the documents name the default port, this service has another.
+    // The documents name the default port; this service has another one.
     let at_service = |text: String| text.replace("http://127.0.0.1:8080", &program.base);
     let script = |name: &str, text: String| {
         fs::write(here.join(name), at_service(text)).unwrap();
@@ -331,7 +331,7 @@ async fn examples_of_the_documentation_run_as_written() {
     let of_python = fs::read_to_string(here.join("correspondences.csv")).unwrap();
     assert_eq!(of_python.lines().count(), table.lines().count());
     assert!(here.join("result/transform.tfm").exists());
-    // The face that is written by hand is typed, and stays small.
+    // The handwritten part of the package is typed and small.
     let mut check = python("python");
     check
         .current_dir(here.join("packages"))
@@ -365,7 +365,7 @@ async fn examples_of_the_documentation_run_as_written() {
     assert_eq!(fs::read_to_string(here.join("correspondences.csv")).unwrap(), table);
 }
 
-/// What the README shows of the command line and of the service, one after the other.
+/// The README's commands for the command line and the service, one after the other.
 #[tokio::test]
 #[ignore = "needs the generators that scripts/setup test installs"]
 async fn examples_of_the_readme_run_as_written() {
@@ -378,7 +378,7 @@ async fn examples_of_the_readme_run_as_written() {
         blocks("README.md", "### From the command line", "sh") + &blocks("README.md", "### From the service", "sh");
     let text = text.replace("127.0.0.1:8080", &format!("127.0.0.1:{port}"));
     fs::write(here.join("readme.sh"), format!("trap 'kill %1' EXIT\n{text}")).unwrap();
-    // A reader waits until the service has started.
+    // Requests are retried until the service has started, as a reader would wait.
     fs::write(here.join(".curlrc"), "retry-connrefused\nretry = 30\nretry-delay = 1\nfail\n").unwrap();
     let mut run = Command::new("bash");
     run.current_dir(here).args(["-eu", "-o", "pipefail", "readme.sh"]);

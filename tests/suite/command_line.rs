@@ -1,5 +1,5 @@
-//! What the command line says to people: which word was meant, what a value has to be, which options a command has, what became
-//! of many pairs. Every message in the words of its user.
+//! Messages of the command line for people: suggestions for misspelled words, the required form of values, the options
+//! of a command, the outcomes of many pairs. Every message uses terms of the command line.
 
 use super::cli::homolog;
 use serde_json::Value;
@@ -19,7 +19,7 @@ fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     (done.status.code(), String::from_utf8(done.stdout).unwrap(), String::from_utf8(done.stderr).unwrap())
 }
 
-/// What is said to wrong arguments.
+/// The message for wrong arguments.
 fn refused(arguments: &[&str]) -> String {
     let (code, _, said) = run(arguments);
     assert_eq!(code, Some(2), "{arguments:?}: {said}");
@@ -148,7 +148,7 @@ fn the_help_of_a_command_lists_what_it_uses_and_nothing_else() {
     let inspect = help(&["inspect"]);
     assert!(inspect.contains("--label") && inspect.contains("--repair"));
     assert!(!inspect.contains("--seed") && !inspect.contains("--method"));
-    // What is not listed is accepted all the same: the file and the environment are those of the service.
+    // Settings that are not listed are also accepted, because the file and the environment are shared with the service.
     let folder = tempfile::tempdir().unwrap();
     let data = folder.path().to_str().unwrap();
     let (code, _, said) = run(&["migrate", "--data-dir", data, "--lease-ms", "9000"]);
@@ -167,7 +167,7 @@ fn scripts_for_shells_complete_commands_and_options() {
         }
     }
     assert!(refused(&["completions", "csh"]).contains("possible values: bash, elvish, fish"));
-    // Bash reads the script, and completes a command.
+    // Bash loads the script and completes a command.
     if let Ok(bash) = Command::new("bash").arg("--version").stdout(Stdio::null()).status() {
         assert!(bash.success());
         let file = tempfile::NamedTempFile::new().unwrap();
@@ -226,14 +226,14 @@ fn a_name_can_be_listened_on_and_a_taken_port_or_folder_is_said_at_once() {
     assert!(said.contains("another program listens there") && said.contains("--listen"), "{said}");
     assert!(began.elapsed() < Duration::from_secs(5), "{:?}", began.elapsed());
 
-    // A folder that is in use: said at once, and then waited for, as for a predecessor that ends.
+    // A folder in use is reported at once; the command then waits for the other process to end.
     let began = Instant::now();
     let mut second = Serving(serve("127.0.0.1:0", &data).spawn().unwrap());
     let said = line(&mut second.0, "stderr");
     assert!(said.contains("uses the data directory; waiting 10 s"), "{said}");
     assert!(began.elapsed() < Duration::from_secs(5), "{:?}", began.elapsed());
 
-    // Folders and pages that cannot be written are said before the match.
+    // Unwritable folders and pages are reported before the match.
     let [source, target] = pair(&folder.path().join("pair"));
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
@@ -276,7 +276,7 @@ fn a_source_is_matched_to_many_targets_with_a_table_of_verdicts() {
     assert!(summary.starts_with("target,folder,reliable,reasons,mean_mm"), "{summary}");
     assert_eq!(summary.lines().count(), 3);
 
-    // The answer of a pair is that of the pair alone.
+    // The answer of a pair does not depend on the other pairs.
     let (_, alone, _) = run(&["match", &source, &target, "--json"]);
     let alone: Value = serde_json::from_str(&alone).unwrap();
     let (code, printed, said) = run(&["match", &source, &target, broken, other, "--json"]);

@@ -1,4 +1,4 @@
-//! The dashboard: in a real browser; the page that is built in against its sources; and what the API has for it.
+//! The dashboard: in a real browser; the built-in page against its sources; and the API that it uses.
 
 use super::jobs_support::{TestService, problem};
 use serde_json::{Value, json};
@@ -16,7 +16,7 @@ fn text(done: &Output) -> String {
 mod chromium {
     use super::*;
 
-    /// The tests are in dashboard/tests/run.mjs, each a line of its output.
+    /// The tests are in dashboard/tests/run.mjs, which prints a line for each.
     #[test]
     #[ignore = "needs Chromium and node"]
     fn the_dashboard_does_what_it_promises_in_a_browser() {
@@ -106,7 +106,7 @@ async fn an_upload_can_be_looked_at_before_it_is_matched() {
     assert_eq!(surface.text().await.unwrap(), "surface of mesh");
     let again = service.client.get(format!("{}{path}", service.base)).header("if-none-match", etag);
     assert_eq!(again.send().await.unwrap().status(), 304);
-    // Of a refused one there is the surface, and the place of its fault.
+    // A refused upload has its surface, and the location of its fault.
     let bad = upload("bad").await;
     assert_eq!((&bad["suitable"], &bad["problem"]["place_mm"]), (&json!(false), &json!([1.0, 2.0, 3.0])));
     assert_eq!(service.get(&format!("/v1/meshes/{}/surface", bad["id"].as_str().unwrap())).await.status(), 200);

@@ -204,7 +204,7 @@ impl Program {
                 faults.extend(self.faults_of_call(rest));
             }
         }
-        // A flag alone, as in prose, may be of any command.
+        // A flag alone, as in prose, may belong to any command.
         if let Some(flag) = words.first().filter(|word| word.starts_with("--") && word.len() > 2) {
             let flag = flag.split('=').next().unwrap_or_default();
             if !self.flags.values().any(|flags| flags.contains(flag)) {
@@ -394,7 +394,7 @@ fn containers_are_neither_root_nor_writable() {
         }
     }
     assert!(n_pods >= 3, "only {n_pods} pods were found");
-    // Both base images can be replaced by the same with their digests, and neither is whatever is newest.
+    // Both base images can be replaced by the same images with digests, and neither uses the tag `latest`.
     let dockerfile = fs::read_to_string(root().join("Dockerfile")).unwrap();
     let from: Vec<_> = dockerfile.lines().filter_map(|line| line.strip_prefix("FROM ")).collect();
     assert_eq!(from, ["${BUILD_IMAGE} AS build", "${RUN_IMAGE}"]);
@@ -405,7 +405,7 @@ fn containers_are_neither_root_nor_writable() {
     assert_eq!(instruction("USER").split(':').next(), Some("65532"));
 }
 
-/// What a client can occupy must not decide whether a supervisor restarts the process.
+/// Connections that clients can occupy must not decide whether a supervisor restarts the process.
 #[test]
 fn network_policies_let_every_pod_reach_a_labeled_collector_and_no_other_address() {
     let documents = documents();

@@ -55,13 +55,13 @@ async fn the_instances_of_a_series_may_be_sent_as_parts_of_their_own() {
         answer.json().await.unwrap()
     };
     let both = submitted(&[&first, &second], "one").await;
-    // The order of the parts says nothing, also for a request that is repeated.
+    // The order of the parts does not matter, also in a repeated request.
     assert_eq!(submitted(&[&second, &first], "one").await["id"], both["id"]);
     let other = submitted(&[&second, &first], "two").await;
     assert_eq!(other["source"]["hash"], both["source"]["hash"]);
     assert_ne!(submitted(&[&first], "three").await["source"]["hash"], both["source"]["hash"]);
 
-    // As a zip of the instances, it is the same structure: of both segments.
+    // A zip of the instances is the same structure with both segments.
     let zip = write_zip(&[("a.dcm".to_owned(), &first), ("b.dcm".to_owned(), &second)]).unwrap();
     let checked = async |sources: &[&[u8]]| -> Value {
         let request =
@@ -74,7 +74,7 @@ async fn the_instances_of_a_series_may_be_sent_as_parts_of_their_own() {
     assert_eq!(report, checked(&[&zip]).await);
     assert_ne!(report, checked(&[&first]).await);
 
-    // Anything else is sent once.
+    // Other formats are sent as one part.
     let ply = write_ply(&ball(0.0, 5.0));
     for sources in [[&first, &ply], [&ply, &first], [&ply, &ply], [&zip, &first], [&first, &zip]] {
         let sources = sources.map(Vec::as_slice);
@@ -84,7 +84,7 @@ async fn the_instances_of_a_series_may_be_sent_as_parts_of_their_own() {
     }
     service.end().await;
 
-    // All parts of an input together have the size of a file at most.
+    // The size limit of a file applies to all parts of an input together.
     let limit = (first.len() + second.len() - 1).to_string();
     let service = TestService::start(&["--workers", "0", "--max-file-bytes", &limit]).await;
     let refused = problem(service.send(form(&[&first, &second])).await, 413, "too-large").await;
@@ -115,7 +115,7 @@ async fn objects_are_made_for_the_study_that_a_request_names() {
         let object = bytes(&service, &format!("{job}/{path}{uids}")).await;
         assert_eq!(identity(&object), ["", "1.2.3", frame], "{path}");
         assert_eq!(bytes(&service, &format!("{job}/{path}{uids}")).await, object, "equal requests, equal bytes");
-        // Another study, another validator.
+        // Another study changes the ETag.
         let etag = async |study: &str| {
             let answer = service.get(&format!("{job}/{path}study_uid={study}")).await;
             assert_eq!(answer.status(), 200);
@@ -133,7 +133,7 @@ async fn objects_are_made_for_the_study_that_a_request_names() {
             assert!(refused["errors"][0]["pointer"].as_str().unwrap().starts_with("/query/"), "{refused}");
         }
     }
-    // The segmentation lies on the grid of the target and encloses what the surface does.
+    // The segmentation lies on the grid of the target and encloses the same region as the surface.
     let object = bytes(&service, &format!("{job}/warped?format=dicom&{uids}")).await;
     let segmentation = read(&object, None, &ReadLimits::default()).unwrap();
     let FileContent::Labels(volume) = segmentation.content else { panic!("labels are expected") };
@@ -144,7 +144,7 @@ async fn objects_are_made_for_the_study_that_a_request_names() {
     };
     let enclosed = volume.labels().iter().filter(|label| **label != 0).count() as f64 * 8.0;
     assert!((enclosed / file.mesh.signed_volume() - 1.0).abs() < 0.1, "{enclosed} {}", file.mesh.signed_volume());
-    // No other part takes them.
+    // Other parts accept no UIDs.
     for path in ["aligned?study_uid=1.2", "correspondences?study_uid=1.2"] {
         problem(service.get(&format!("{job}/{path}")).await, 400, "invalid-query").await;
     }

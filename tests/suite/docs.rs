@@ -1,5 +1,5 @@
-//! The page at `/docs` is served with everything it loads, and the documents of the repository agree with the program
-//! and with each other.
+//! The page at `/docs` is served with all files that it loads, and the documents of the repository agree with the
+//! program and with each other.
 
 use super::cli::homolog;
 use super::jobs_support::{TestService, problem};
@@ -93,7 +93,7 @@ fn the_ledger_has_the_values_of_the_code() {
         assert!(names.insert((file, name)), "listed twice");
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
-    // Every threshold of the route and of the verdict is there.
+    // Every threshold of the route and of the verdict is in the ledger.
     let settings = fs::read_to_string(root().join("crates/matching/src/field/settings.rs")).unwrap();
     let defaults = settings.split_once("impl Default for RouteSettings {").unwrap().1;
     let defaults = defaults.split_once("        RouteSettings {").unwrap().1.split_once('}').unwrap().0;
@@ -193,10 +193,10 @@ fn the_tests_of_the_threat_model_exist() {
 fn each_fault_that_attacks_have_found_names_its_tests() {
     let model = fs::read_to_string(root().join("docs/threat-model.md")).unwrap();
     let found = model.split("## Faults that attacks have found").nth(1).unwrap().split("\n## ").next().unwrap();
-    // That these tests exist is checked above, as for every other row.
+    // The existence of these tests is checked above, as for every other row.
     let mut numbers: Vec<u32> =
         found.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(". ")?.0.parse().ok()).collect();
-    // The last one is many small ones.
+    // The last number has several rows, one for each small fault.
     numbers.dedup();
     assert_eq!(numbers, (1..=14).collect::<Vec<u32>>());
 }

@@ -1,5 +1,5 @@
-//! Encryption at rest: nothing of an upload, a result or a secret is found where it is stored, in a folder and in a bucket; what was
-//! changed there is refused; keys are rotated while the service runs; and no process runs without its keys.
+//! Encryption at rest: the stored files contain no readable part of an upload, a result or a secret, in a folder and in
+//! a bucket; changed files are refused; keys are rotated while the service runs; and no process runs without its keys.
 
 use super::backups::run;
 use super::faults::client::{Client, id_of, steps};
@@ -29,7 +29,7 @@ fn files_under(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// The files with blobs of a site, and with its database if that is a file.
+/// The files with blobs of a site, and its database if that is a file.
 fn stored_files(site: &Site) -> Vec<PathBuf> {
     let mut found = files_under(&site.data_dir());
     if let Some(s3) = &site.s3 {
@@ -45,14 +45,14 @@ fn files_with(site: &Site, text: &str) -> Vec<PathBuf> {
     stored_files(site).into_iter().filter(has).collect()
 }
 
-/// A file with these keys in the folder of a site.
+/// Writes a file with these keys into the folder of a site.
 fn keys(site: &Site, name: &str, keys: &[&str]) -> String {
     let path = site.folder.path().join(name);
     fs::write(&path, keys.join("\n")).unwrap();
     path.to_str().unwrap().to_owned()
 }
 
-/// A surface whose text is found nowhere else, larger than a chunk.
+/// A surface with a unique text, larger than a chunk.
 fn surface() -> String {
     let vertices: Vec<String> = (0..8_000).map(|i| format!("v {i}.5 {}.25 {}", i * 7 % 1_000, i * 13 % 977)).collect();
     format!("# KNOWN-SURFACE-OF-JANE-DOE\n{}\nf 1 2 3\n", vertices.join("\n"))
@@ -74,7 +74,7 @@ async fn download(client: &Client, path: &str, range: Option<&str>) -> (u16, Opt
     (answer.status().as_u16(), answer.text().await.ok())
 }
 
-/// The result document of a finished job, without what changes from request to request.
+/// The result document of a finished job, without the parts that change from request to request.
 async fn result(client: &Client, job: &str) -> String {
     let (status, body) = download(client, &format!("/v1/jobs/{job}/result"), None).await;
     assert_eq!(status, 200);
@@ -139,7 +139,7 @@ pub(crate) async fn command(site: &Site, arguments: &[&str]) -> (Option<i32>, St
 
 async fn keys_are_rotated_while_the_service_runs_and_none_is_left_out(backend: Backend) {
     let site = Site::open(backend);
-    // Stored before there was a key.
+    // Stored before any key was given.
     let plain = site.serve(&[]);
     let client = site.client(&plain);
     let mesh = upload(&client, &surface()).await;
@@ -154,7 +154,7 @@ async fn keys_are_rotated_while_the_service_runs_and_none_is_left_out(backend: B
     let small = upload(&client, "tiny").await;
     drop(node);
 
-    // First the new key is given to all processes beside the old one, then it is used.
+    // First all processes get the new key in addition to the old one, then the new key is used.
     let both = keys(&site, "both", &[NEW, OLD]);
     let node = site.serve(&["--encryption-key-file", &both]);
     let client = site.client(&node);
@@ -169,7 +169,7 @@ async fn keys_are_rotated_while_the_service_runs_and_none_is_left_out(backend: B
     assert_eq!(result(&client, &job).await, before);
     drop(node);
 
-    // The old key is not needed any more.
+    // The old key is no longer needed.
     let new = keys(&site, "new", &[NEW]);
     let node = site.serve(&["--encryption-key-file", &new]);
     let client = site.client(&node);
@@ -253,7 +253,7 @@ async fn a_backup_into_the_same_folder_after_a_rotation_can_be_restored() {
     let (code, said, stderr) = run(&["restore", backup_text, "--encryption-key-file", &new], &target).await;
     assert!(code == Some(0), "{said}{stderr}");
 
-    // A copy that was damaged since is replaced, and a blob that is damaged in the service is no success.
+    // A copy that was damaged later is replaced; a damaged blob in the service fails the back-up.
     let hash = mesh.strip_prefix("blake3:").unwrap();
     let under = |folder: &Path| files_under(folder).into_iter().find(|p| p.to_string_lossy().ends_with(hash)).unwrap();
     let (copy, own) = (under(&backup), under(&site.data_dir()));

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// A row of the table: quantities, phases, and what its points do within a series.
+/// A row of the table: quantities, phases, and how the points change within a series.
 struct Row {
     quantities: Vec<String>,
     phases: Vec<String>,

@@ -1,5 +1,5 @@
-//! What is said of inputs as other programs write them, on all three interfaces: the printed summary, the result document and the
-//! page.
+//! Messages about inputs as other programs write them, on all three interfaces: the printed summary, the result
+//! document and the page.
 
 use super::cli::{homolog, read_json};
 use super::fixtures;
@@ -30,7 +30,7 @@ fn matched(source: &Path, target: &Path, folder: &Path) -> (String, Value, Strin
     (printed, read_json(&folder.join("out/result.json")), fs::read_to_string(page).unwrap())
 }
 
-/// The sentence is on all three interfaces, and so is the reason, by which the answer is not reliable.
+/// Asserts that the sentence is on all three interfaces, and so is the reason why the answer is not reliable.
 fn check_said(source: &str, target: &str, sentence: &str, reason: Option<&str>) {
     check_said_of(&field(source), &field(target), sentence, reason);
 }

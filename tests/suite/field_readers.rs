@@ -1,5 +1,5 @@
-//! Every output of the service and of the command line, opened by the programs that its users have: NumPy, nibabel, VTK,
-//! meshio, trimesh, pyarrow, ITK. `scripts/setup test` makes their Python environment.
+//! Every output of the service and of the command line, opened by programs of its users: NumPy, nibabel, VTK, meshio,
+//! trimesh, pyarrow, ITK. `scripts/setup test` creates their Python environment.
 
 use super::clients::{root, said};
 use super::faults::site::{Backend, Site};
@@ -13,7 +13,7 @@ fn python() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("target/readers-env/bin/python")
 }
 
-/// Fails with what the script says unless it accepts the files of a folder.
+/// Asserts that the script accepts the files of a folder; fails with its message.
 fn assert_accepted(folder: &Path) {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/readers/check.py");
     let done = Command::new(python()).arg(script).arg(folder).output().unwrap();
@@ -42,7 +42,7 @@ async fn every_format_of_the_service_is_read_as_written() {
         }
         service.end().await;
         assert_accepted(folder.path());
-        // The script notices a wrong number.
+        // The script detects a wrong number.
         let table = folder.path().join("warped.csv");
         let text = std::fs::read_to_string(&table).unwrap().replacen(",0.", ",0.5", 1);
         std::fs::write(&table, text).unwrap();
@@ -52,7 +52,7 @@ async fn every_format_of_the_service_is_read_as_written() {
     }
 }
 
-/// The module for 3D Slicer without its window: surfaces to the service, answers as objects of VTK.
+/// The module for 3D Slicer without its window: sends surfaces to the service, and turns answers into VTK objects.
 #[tokio::test]
 #[ignore = "needs the Python environment that scripts/setup test makes"]
 async fn the_module_for_slicer_matches_surfaces() {
@@ -99,7 +99,7 @@ fn every_file_of_a_study_is_read_as_written() {
     };
     let done = check();
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    // The script notices a wrong number.
+    // The script detects a wrong number.
     let table = out.join("subjects.csv");
     let text = std::fs::read_to_string(&table).unwrap().replacen(",0.", ",0.5", 1);
     std::fs::write(&table, text).unwrap();

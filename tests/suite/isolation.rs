@@ -1,7 +1,8 @@
-//! Computations in processes of their own: the same bytes, nothing else harmed, nothing left behind.
+//! Computations in separate processes: the result has the same bytes, nothing else is harmed, and nothing is left
+//! behind.
 //!
-//! The service is the built program where its own computation is needed. A child is found among the processes whose parent is
-//! the service; one that computes has threads named for it.
+//! The service is the built program where a test needs real computations. A child is a process whose parent is the
+//! service; a computing child has threads with the name of computations.
 
 use super::faults::length;
 use super::jobs_support::TestService;
@@ -23,7 +24,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 const ISOLATED: [&str; 2] = ["--isolation", "process"];
-/// How long something may take that happens at once, on a loaded machine.
+/// Longest wait for something immediate, on a loaded machine.
 const SOON: Duration = Duration::from_secs(20);
 
 /// Processes whose parent is this one.
@@ -56,7 +57,7 @@ fn computing(parent: u32) -> Vec<u32> {
     children(parent).into_iter().filter(|&pid| computes(pid)).collect()
 }
 
-/// A pair of phantom surfaces that are matched in a fraction of a second.
+/// A pair of phantom surfaces whose match takes a fraction of a second.
 fn small_pair(folder: &std::path::Path, edge_mm: &str) -> [Vec<u8>; 2] {
     let arguments = ["phantom", "--kind", "surface", "--edge", edge_mm, "--rotate-seed", "4", "--out"];
     assert!(super::cli::homolog().args(arguments).arg(folder).output().unwrap().status.success());
@@ -79,7 +80,7 @@ fn kill(pid: u32) {
     rustix::process::kill_process(pid, rustix::process::Signal::KILL).unwrap();
 }
 
-/// A document without what a clock has said, and without the addresses of its job.
+/// A document without times and without the addresses of its job.
 fn timeless(mut document: Value) -> Value {
     for member in ["timings_ms", "links"] {
         assert!(document.as_object_mut().unwrap().remove(member).is_some());
@@ -87,7 +88,7 @@ fn timeless(mut document: Value) -> Value {
     document
 }
 
-/// Everything that a job has, as bytes.
+/// All results of a job, as bytes.
 fn everything(server: &Server, id: &str) -> Vec<(String, Vec<u8>)> {
     let bytes = |path: &str, accept: &str| {
         let request = server.client.get(format!("{}/v1/jobs/{id}/{path}", server.base)).header("accept", accept);
@@ -175,7 +176,7 @@ fn a_killed_child_takes_nothing_with_it_and_its_job_ends_right() {
         let [source, target] = if parameters == SLOW { [&source, &target] } else { [&small[0], &small[1]] };
         let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
         let form = Form::new().part("source", file(source)).part("target", file(target));
-        // Computed again each time, though everything is equal.
+        // Computed again each time, although the requests are equal.
         let form = form.text("parameters", parameters.to_owned()).text("use_cache", "false");
         let request = server.client.post(format!("{}/v1/jobs", server.base)).bearer_auth(key).multipart(form);
         request.send().unwrap().json::<Value>().unwrap()["id"].as_str().unwrap().to_owned()
@@ -282,7 +283,7 @@ fn nothing_computes_after_a_cancellation_or_a_deadline() {
 
     let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
     let form = Form::new().part("source", file(&source)).part("target", file(&target));
-    // Energies of all vertices, again and again: for longer than a second on any machine.
+    // Energies of all vertices in many iterations, which takes longer than a second on any machine.
     let parameters = r#"{"inference": {"coarse_vertices": null, "max_iterations": 5000, "tolerance": 0}}"#;
     let form = form.text("parameters", parameters).text("max_run_s", "1");
     let response = server.client.post(format!("{}/v1/jobs", server.base)).multipart(form).send().unwrap();
@@ -307,7 +308,7 @@ fn no_child_survives_the_service() {
     eventually("children end with their parent", || all.iter().all(|&pid| !exists(pid)).then_some(()));
 }
 
-/// The service is killed while its children compute, and started again over what it has stored.
+/// The service is killed while its children compute, and started again on the same stored data.
 #[test]
 fn a_killed_service_loses_no_job_and_leaves_no_child() {
     let folder = tempfile::tempdir().unwrap();
@@ -320,7 +321,7 @@ fn a_killed_service_loses_no_job_and_leaves_no_child() {
         let jobs = [0, 1].map(|_| server.submit_anew(&source, &target, "{}"));
         let known = children(server.pid());
         if n_killed > 0 {
-            // At another place of the computation each time, before it has begun and after it has ended included.
+            // Killed at another point of the computation each time, including before its start and after its end.
             std::thread::sleep(Duration::from_millis(n_killed * 37 % 500));
             let all = [known, children(server.pid())].concat();
             server.kill();
@@ -339,7 +340,7 @@ fn a_killed_service_loses_no_job_and_leaves_no_child() {
     assert_eq!(listed["jobs"].as_array().unwrap().len() as u64, (2 * (length(4, 200) + 1)).min(500), "nothing twice");
 }
 
-/// The engine of the built program's children.
+/// The engine whose children run the built program.
 fn isolated_engine() -> IsolatedEngine {
     let own = IsolationSettings::of_this_program(IntakeLimits::default(), 1 << 30).unwrap();
     let program = env!("CARGO_BIN_EXE_homolog").into();
@@ -356,7 +357,7 @@ fn a_child_opens_no_file_no_connection_and_no_program() {
     }
 }
 
-/// An engine that predicts next to nothing for the jobs of one seed.
+/// An engine that predicts almost no memory for the jobs of one seed.
 struct Understating(IsolatedEngine);
 
 /// The seed whose jobs are understated.
@@ -426,7 +427,7 @@ async fn a_job_beyond_its_memory_fails_alone_and_says_so() {
     let folder = Arc::new(tempfile::tempdir().unwrap());
     let more = ["--workers", "2", "--max-attempts", "3"];
     let service = TestService::start_with(folder, &more, Some(Arc::new(Understating(engine)))).await;
-    // 10,242 vertices, each a variable with every vertex of the other as its label: gigabytes.
+    // 10,242 vertices, each a variable whose labels are all vertices of the other surface: gigabytes.
     let mesh = write_ply(&shapes::ellipsoid([16.0, 9.0, 7.0].into(), 5));
     let small = write_ply(&shapes::ellipsoid([16.0, 9.0, 7.0].into(), 3));
     let submit = async |mesh: &[u8], parameters: Value| {

@@ -1,4 +1,5 @@
-//! A scripted engine, whose parameters say what it does, and a service with this engine on a separate port and folder.
+//! A scripted engine, controlled by the parameters of its jobs, and a service with this engine on a separate port and
+//! folder.
 
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
@@ -31,7 +32,7 @@ pub(crate) fn doubtful() -> Verdict {
     }
 }
 
-/// Does what the parameters say.
+/// Follows the parameters of each job.
 #[derive(Debug, Default)]
 pub(crate) struct ScriptedEngine {
     /// Number of computations.
@@ -194,12 +195,12 @@ pub(crate) struct TestService {
     pub engine: Arc<ScriptedEngine>,
     pub shutdown: Shutdown,
     pub folder: Arc<tempfile::TempDir>,
-    /// Where it answers probes, if `--probe-listen` is given.
+    /// The address of its probes, if `--probe-listen` is given.
     pub probes: String,
     running: tokio::task::JoinHandle<()>,
 }
 
-/// A process that only runs jobs, within this one.
+/// A service process that only runs jobs, within this process.
 pub(crate) struct WorkerProcess {
     pub shutdown: Shutdown,
     pub engine: Arc<ScriptedEngine>,
@@ -215,7 +216,7 @@ impl TestService {
         TestService::start_with(folder, more, None).await
     }
 
-    /// With another engine instead of the scripted one.
+    /// As [`Self::start`], with another engine instead of the scripted one.
     pub(crate) async fn start_with(
         folder: Arc<tempfile::TempDir>,
         more: &[&str],
@@ -246,7 +247,7 @@ impl TestService {
         TestService { base, client: reqwest::Client::new(), engine, shutdown, folder, probes, running }
     }
 
-    /// Another process on the same folder that runs jobs and serves no HTTP.
+    /// Starts another process on the same folder that runs jobs and serves no HTTP.
     pub(crate) async fn worker(&self, more: &[&str]) -> WorkerProcess {
         let data_dir = self.folder.path().to_str().unwrap().to_owned();
         let Arguments { service, .. } = clap::Parser::parse_from(["test", "--data-dir", &data_dir].iter().chain(more));
@@ -285,7 +286,7 @@ impl TestService {
         self.client.post(format!("{}/v1/jobs", self.base)).multipart(form).send().await.unwrap()
     }
 
-    /// Submits and returns the id.
+    /// Submits a job and returns its id.
     pub(crate) async fn submit(&self, parameters: Value) -> String {
         let response = self.send(form("source", "target", &parameters)).await;
         assert_eq!(response.status(), 202, "{}", response.text().await.unwrap());

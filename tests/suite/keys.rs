@@ -96,7 +96,7 @@ async fn admins_manage_the_keys_of_their_tenant_and_roles_allow_what_they_say() 
         assert!(read["key"].is_null() && read["id"] == document["id"] && read["expires_at"].is_string(), "{read}");
         made.push((document["key"].as_str().unwrap().to_owned(), location));
     }
-    // What each may do: read, submit, administer.
+    // The rights of each key: read, submit, administer.
     let may = async |key: &str| {
         let read = ask("GET", "/v1/jobs", key).send().await.unwrap().status() == 200;
         let submit = ask("POST", "/v1/jobs", key).multipart(form("a", "b", &json!({}))).send().await.unwrap();
@@ -109,7 +109,7 @@ async fn admins_manage_the_keys_of_their_tenant_and_roles_allow_what_they_say() 
     let refused = problem(create(&made[1].0, json!({"role": "admin"})).await, 403, "scope-missing").await;
     assert!(refused["detail"].as_str().unwrap().contains("role admin"), "{refused}");
 
-    // Lists have pages and no secrets, and show the own tenant only.
+    // Lists have pages and no secrets, and show only the key's own tenant.
     let mut ids = Vec::new();
     let mut token = String::new();
     loop {

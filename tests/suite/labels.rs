@@ -1,4 +1,5 @@
-//! Labels by number and by name on the command line, what `inspect` shows of them, and a left structure beside a right one.
+//! Labels by number and by name on the command line, their display by `inspect`, and a left structure matched with a
+//! right one.
 
 use super::cli::{homolog, read_json};
 use homolog_formats::{FileContent, ReadLimits, read, write_nifti_gz};
@@ -6,8 +7,8 @@ use homolog_mesh::volume::LabelVolume;
 use std::fs;
 use std::path::Path;
 
-/// A volume with numbers that FreeSurfer alone has: a left hippocampus (17), its mirror image as the right one (53), and a sheet of
-/// corpus callosum (251).
+/// A volume with numbers that only FreeSurfer uses: a left hippocampus (17), its mirror image as the right one (53),
+/// and a sheet of corpus callosum (251).
 fn brain(folder: &Path) {
     let made = homolog().args(["phantom", "--spacing", "2", "--subject", "3", "--out"]).arg(folder.join("p")).output();
     assert!(made.unwrap().status.success());
@@ -60,7 +61,7 @@ fn inspect_is_a_table_that_fits_a_screen() {
         ["label", "name", "voxels", "volume,", "mm³", "pieces", "tunnels"]
     );
     assert!(shown.contains("--label chooses some, by number or name") && !shown.contains("input.labels"), "{shown}");
-    // Every part is in the JSON, in the words of a request.
+    // The JSON has every part, in the terms of a request.
     let (_, json, _) = run(folder.path(), &["inspect", "aseg.nii.gz", "--json"]);
     let report: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(report["volume"]["labels"][0]["name"], "Left-Hippocampus");
@@ -91,7 +92,7 @@ fn labels_are_chosen_by_name_and_refusals_repeat_the_name_with_the_nearest_ones(
         "{said}"
     );
 
-    // A file beside the volume has names of its own.
+    // The names in a file beside the volume take precedence.
     fs::write(folder.path().join("aseg.ctbl"), "# Color table file\n53 the_other_one 220 216 20 255\n").unwrap();
     let (code, shown, said) = matched("the other one");
     assert_eq!(code, Some(0), "{said}");

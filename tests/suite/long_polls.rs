@@ -1,4 +1,4 @@
-//! Long polls: what ends a wait, what does not, and how often a client that asks again at once is answered.
+//! Long polls: which changes end a wait, which do not, and how often a client that asks again at once is answered.
 
 use super::jobs_support::{TestService, problem};
 use reqwest::Response;
@@ -17,7 +17,7 @@ fn etag_of(response: &Response) -> HeaderValue {
     response.headers()["etag"].clone()
 }
 
-/// How long ago, s, by the clock that the service uses too.
+/// Time since `time`, s, by the clock that the service also uses.
 fn age_s(time: &Value) -> f64 {
     let time: jiff::Timestamp = time.as_str().unwrap().parse().unwrap();
     (jiff::Timestamp::now() - time).total(jiff::Unit::Second).unwrap()
@@ -47,7 +47,7 @@ async fn a_loop_on_a_busy_job_makes_one_request_a_second_and_sees_the_end_at_onc
         assert!(age_s(&job["finished_at"]) < 0.2, "seen {} s after the end", age_s(&job["finished_at"]));
         let elapsed_s = began.elapsed().as_secs_f64();
         assert!(elapsed_s > 3.0, "the job ran for {elapsed_s} s only");
-        // The end is reported whenever it comes.
+        // The end is always reported at once, which adds an answer.
         assert!(f64::from(n_requests) <= elapsed_s + 2.0, "{n_requests} requests in {elapsed_s} s");
         assert!(n_requests >= 3, "progress is reported while the job runs");
         assert!(percents.windows(2).all(|pair| pair[0] < pair[1]), "each answer has news: {percents:?}");

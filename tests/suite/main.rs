@@ -1,4 +1,4 @@
-//! All integration tests of the program, in one binary. Those of a library crate are in its own `tests` folder.
+//! All integration tests of the program, in one binary. Tests of a library crate are in its own `tests` folder.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stderr, clippy::print_stdout)]
 
 mod api;

@@ -6,7 +6,7 @@ use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// Labels of a line in the text format of Prometheus, and the name of its metric.
+/// The name of the metric and the labels of a line in the text format of Prometheus.
 fn series(line: &str) -> (String, BTreeMap<String, String>) {
     let (name, rest) = line.split_once('{').unwrap_or_else(|| (line.split(' ').next().unwrap(), ""));
     let labels = rest.rsplit_once('}').map_or("", |(labels, _)| labels);
@@ -54,7 +54,7 @@ async fn made_up_requests_create_no_new_series() {
             request.multipart(form("a", "b", &json!({}))).send().await.unwrap().json().await.unwrap();
         assert!(job["id"].is_string(), "{job}");
     };
-    // The series in which such requests are counted, each once.
+    // Creates the series in which such requests are counted.
     send_made_up(&service, "madeup-0").await;
     submit("tenant-0").await;
     service.get("/metrics").await;
@@ -110,7 +110,7 @@ async fn made_up_requests_create_no_new_series() {
     service.end().await;
 }
 
-/// The metrics of a service that has done something of everything, with their help texts.
+/// The metrics of a service after one use of every feature, with their help texts.
 async fn described() -> (BTreeSet<String>, BTreeMap<String, String>) {
     let service = TestService::start(&["--allow-private-webhooks"]).await;
     let receiver = tokio::net::TcpListener::bind("127.0.0.1:0").await.unwrap();
@@ -134,7 +134,7 @@ async fn described() -> (BTreeSet<String>, BTreeMap<String, String>) {
     (all_series(&text).into_iter().map(|(name, _)| name).collect(), helps)
 }
 
-/// The name of a metric without what the parts of a histogram add to it.
+/// The name of a metric without the suffixes of a histogram's series.
 fn family(name: &str) -> &str {
     ["_bucket", "_sum", "_count"].iter().find_map(|end| name.strip_suffix(end)).unwrap_or(name)
 }

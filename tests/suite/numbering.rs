@@ -1,8 +1,8 @@
 //! Every vertex index in every export counts the vertices of the upload, however the upload numbers them.
 //!
-//! An upload is mangled: vertices that no face uses, vertices split in two, a stray piece, another order of vertices and
-//! faces, faces inside out. Repairs undo that, so the answer, read back through the mangling, must be that for the clean
-//! upload. A label volume is compared with the mangled surface that its own job served.
+//! An upload is mangled: unused vertices, split vertices, a stray piece, another order of vertices and faces, inverted
+//! faces. Repairs undo this, so the answer, mapped back through the mangling, must equal the answer for the clean
+//! upload. A label volume is compared with the mangled surface that its own job returned.
 
 use crate::cli::{homolog, read_json};
 use base64::Engine as _;
@@ -28,12 +28,12 @@ use std::sync::LazyLock;
 struct Mangling {
     /// Vertices that no face uses, some of them far away, some where a vertex of the surface is.
     n_unused: usize,
-    /// Vertices split in two, each with a part of the faces.
+    /// Split vertices: two copies, each used by some of the faces.
     n_split: usize,
     /// A small tetrahedron beside the surface.
     stray_piece: bool,
     inside_out: bool,
-    /// Seed of a new order of vertices and faces; `None` keeps the order and appends what is added.
+    /// Seed of a new order of vertices and faces; `None` keeps the order and appends additions.
     order: Option<u64>,
 }
 
@@ -50,11 +50,11 @@ fn mangling() -> impl Strategy<Value = Mangling> {
     )
 }
 
-/// An upload and how to read an answer that counts its vertices.
+/// An upload, and the mapping of its vertices to the clean surface.
 #[derive(Clone)]
 struct Upload {
     mesh: SurfaceMesh,
-    /// For every vertex the vertex of the clean surface; `None` where no answer may name it.
+    /// For every vertex the vertex of the clean surface; `None` if no answer may name it.
     clean: Vec<Option<u32>>,
 }
 
@@ -117,7 +117,7 @@ impl Upload {
             faces.iter_mut().enumerate().for_each(|(k, face)| face.rotate_left(k % 3));
         }
         let mesh = SurfaceMesh::new(placed, mesh.arity(), faces.concat()).unwrap();
-        // Of the copies of a split vertex, the first that a face uses represents all.
+        // The first copy of a split vertex that a face uses represents all copies.
         let mut seen = BTreeSet::new();
         let clean = placed_of.into_iter().map(|v| v.filter(|&v| seen.insert(v))).collect();
         Upload { mesh, clean }
@@ -128,7 +128,7 @@ impl Upload {
     }
 }
 
-/// `columns` in the numbering of the clean surfaces, in its order of rows.
+/// `columns` in the numbering and the row order of the clean surfaces.
 fn read_back(columns: &Correspondences, source: &Upload, target: &Upload) -> Correspondences {
     let mut rows: Vec<usize> = (0..columns.source.len()).collect();
     assert!(columns.source.is_sorted(), "rows are in the order of the upload");
@@ -149,7 +149,8 @@ fn read_back(columns: &Correspondences, source: &Upload, target: &Upload) -> Cor
     }
 }
 
-/// The points of the rows on the surface whose faces `triangle` numbers, from the uploaded coordinates alone.
+/// Asserts that the points of the rows lie on the surface whose faces `triangle` numbers, from the uploaded coordinates
+/// alone.
 fn assert_points_on_upload(columns: &Correspondences, target: &Upload, faces: &BTreeSet<Vec<u32>>, edge_mm: f64) {
     let at = |v: u32| target.mesh.vertices()[v as usize].coords;
     for row in 0..columns.source.len() {
@@ -216,7 +217,7 @@ fn matched(source: Vec<u8>, target: Vec<u8>, request: &Value) -> Stored {
     Stored { document, columns, products }
 }
 
-/// Source, target and triangle of every row, and nothing else.
+/// Source, target and triangle of every row.
 type Indices = Vec<(u32, u32, [u32; 3])>;
 
 fn indices(columns: &Correspondences) -> Indices {
@@ -339,11 +340,11 @@ impl Clean {
         let [source, target] = &uploads;
 
         assert_eq!(read_back(&found.columns, source, target), self.answer.columns);
-        // Except for times and descriptions of the files, the documents are equal too.
+        // Except for times and descriptions of the files, the documents are equal.
         let mut document = found.document.clone();
         document.timings_ms.clone_from(&self.answer.document.timings_ms);
         document.provenance = self.answer.document.provenance.clone();
-        // A mangled file has small pieces, and it is said that they were dropped.
+        // A mangled file has small pieces, and a warning says that they were dropped.
         assert!(document.warnings.iter().all(|warning| warning.reason.is_none()), "{:?}", document.warnings);
         document.warnings.clone_from(&self.answer.document.warnings);
         assert_eq!(document, self.answer.document);
@@ -366,8 +367,8 @@ impl Clean {
     }
 }
 
-/// Meshes matched in three ways (with a displacement field from a coarse level; with vertices as labels; by registration
-/// alone), and label volumes with smooth surfaces and with voxel surfaces, whose faces are quads.
+/// Meshes matched in three ways (with a displacement field from a coarse level; with vertices as labels; by
+/// registration alone), and label volumes with smooth surfaces and with voxel surfaces, whose faces are quads.
 static PAIRS: LazyLock<Vec<Clean>> = LazyLock::new(|| {
     let pair = PhantomPair::against_template(0).unwrap();
     let meshes = pair.meshes(2.0).unwrap().map(|mesh| write_ply(&mesh));

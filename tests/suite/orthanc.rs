@@ -1,4 +1,5 @@
-//! The recipe of `deploy/orthanc`: a segmentation arrives in Orthanc, and its registration comes back, whatever is restarted.
+//! The recipe of `deploy/orthanc`: a segmentation arrives in Orthanc, and its registration comes back, despite restarts
+//! of each part.
 
 use super::jobs_support::TestService;
 use homolog::worker::match_engine::MatchEngine;
@@ -24,7 +25,7 @@ impl Running {
         Running(command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap())
     }
 
-    /// Asks it to end, and waits until it has.
+    /// Asks the process to end, and waits until it has.
     fn stop(mut self) {
         Command::new("kill").arg(self.0.id().to_string()).status().unwrap();
         self.0.wait().unwrap();
@@ -77,7 +78,7 @@ impl Orthanc {
         serde_json::from_slice(&self.get(path).await.1).unwrap()
     }
 
-    /// The metadata of an instance, once there is one.
+    /// The metadata of an instance, once it exists.
     async fn note_on(&self, instance: &str) -> String {
         let began = Instant::now();
         loop {
@@ -116,7 +117,8 @@ fn a_bent_structure_is_a_segmentation_on_the_grid_of_the_target() {
     let checked = Command::new("dciodvfy").arg(at("out/warped.dcm")).output().unwrap();
     let said = String::from_utf8_lossy(&checked.stderr);
     assert!(said.contains("Segmentation") && !said.contains("Error"), "{said}");
-    // What was written is read as any segmentation is; a folder of instances, their archive and one file are the same input.
+    // The written segmentation is read like any other; a folder of instances, their archive and one file are the same
+    // input.
     let topology = |name: &str| {
         let seen: Value = serde_json::from_slice(&homolog(&["inspect", "--json"], &[&at(name)])).unwrap();
         assert!(seen["suitable"].as_bool().unwrap(), "{name}: {seen}");
@@ -155,7 +157,7 @@ async fn a_registration_comes_back_to_the_study_whatever_is_restarted() {
         Running::start(command.arg("--state").arg(at("bridge.json")))
     };
 
-    // The segmentation arrives while homolog is away.
+    // The segmentation arrives while homolog is stopped.
     let orthanc = Orthanc::new(at("orthanc"));
     let running = orthanc.start().await;
     let arrived = orthanc.client.post(format!("{}/instances", orthanc.base)).body(fs::read(at("source.dcm")).unwrap());
@@ -170,7 +172,7 @@ async fn a_registration_comes_back_to_the_study_whatever_is_restarted() {
     first.stop();
     running.stop();
 
-    // All three are started again; only now is it submitted.
+    // All three are started again; the segmentation is submitted only now.
     let running = orthanc.start().await;
     let data = Arc::new(tempfile::tempdir().unwrap());
     let start = || {
@@ -194,7 +196,7 @@ async fn a_registration_comes_back_to_the_study_whatever_is_restarted() {
     assert!(status == 200 && page.starts_with("<!doctype html>") && page.contains("RELIABLE"), "{status}");
     assert!(!page.contains("Doe^Jane") && !page.contains("4711"), "the report has no names");
 
-    // A bridge that has lost its state, and a service that was restarted, do nothing twice.
+    // A bridge that has lost its state, and a restarted service, repeat nothing.
     fs::remove_file(at("bridge.json")).unwrap();
     orthanc.client.delete(format!("{}/instances/{instance}/metadata/1024", orthanc.base)).send().await.unwrap();
     let service = start().await;
@@ -206,7 +208,7 @@ async fn a_registration_comes_back_to_the_study_whatever_is_restarted() {
     let [job] = jobs["jobs"].as_array().unwrap().as_slice() else { panic!("one job: {jobs}") };
     assert_eq!((&job["reliable"], &job["external_ref"]), (&json!(true), &json!(instance)));
 
-    // The registration is what the service computed, and a valid object.
+    // The registration equals the one that the service computed, and is a valid object.
     let transform = service.json(&format!("{}/transform", job["links"]["self"].as_str().unwrap())).await;
     service.end().await;
     fs::write(at("transform.json"), transform.to_string()).unwrap();

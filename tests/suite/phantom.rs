@@ -1,4 +1,4 @@
-//! `homolog phantom` writes what it promises, the same for the same seeds.
+//! `homolog phantom` writes the documented files, equal for equal seeds.
 
 use crate::cli::{homolog, read_json};
 use std::fs;

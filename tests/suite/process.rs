@@ -62,7 +62,7 @@ impl Server {
         response.json::<Value>().unwrap()["id"].as_str().unwrap().to_owned()
     }
 
-    /// As [`Server::submit_with`], and computed again though everything is equal.
+    /// As [`Server::submit_with`], without the cached result of an equal job.
     pub(crate) fn submit_anew(&self, source: &[u8], target: &[u8], parameters: &str) -> String {
         let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
         let form = Form::new().part("source", file(source)).part("target", file(target));
@@ -132,7 +132,7 @@ fn a_job_survives_the_death_of_its_process() {
     let server = Server::start(&data_dir, &["--workers", "1"]);
     let running = server.submit(&source, &target);
     let waiting = server.submit(&target, &source);
-    // Killed with a part of the trace on disk, so that duplicates would be detected.
+    // Killed when a part of the trace is on disk, so that duplicates would be detected.
     server.until(&running, |job| {
         assert_ne!(job["state"], "succeeded", "too fast to be killed");
         job["state"] == "running" && job["progress"]["iteration"].as_u64() > Some(1)

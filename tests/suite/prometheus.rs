@@ -1,4 +1,5 @@
-//! `deploy/prometheus` and `deploy/grafana` with the programs that read them: promtool, and a Prometheus that collects from a service.
+//! `deploy/prometheus` and `deploy/grafana` with the programs that read them: promtool, and a Prometheus that scrapes a
+//! service.
 
 use super::jobs_support::TestService;
 use serde_json::{Value, json};
@@ -11,7 +12,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// A program of the package prometheus: as `scripts/setup` unpacked it, or of the system.
+/// A program of the package prometheus: unpacked by `scripts/setup`, or installed on the system.
 fn program(name: &str) -> PathBuf {
     let unpacked = root().join("target/tools/prometheus/usr/bin").join(name);
     if unpacked.is_file() { unpacked } else { name.into() }
@@ -31,7 +32,7 @@ fn the_alert_rules_pass_their_tests() {
     }
 }
 
-/// A Prometheus that collects from one service; killed when dropped.
+/// A Prometheus that scrapes one service; killed when dropped.
 struct Prometheus {
     process: Child,
     base: String,
@@ -54,7 +55,7 @@ impl Prometheus {
             "rule_files": [rules],
             "scrape_configs": [{"job_name": "homolog", "static_configs": [{"targets": [target.trim_start_matches("http://")]}]}],
         });
-        // JSON is YAML.
+        // JSON is valid YAML.
         std::fs::write(folder.path().join("prometheus.yml"), config.to_string()).unwrap();
         let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
         let process = Command::new(program("prometheus"))
@@ -73,14 +74,14 @@ impl Prometheus {
         reqwest::get(url).await.ok()?.json().await.ok()
     }
 
-    /// What a query answers.
+    /// The result of a query.
     async fn query(&self, expression: &str) -> Vec<Value> {
         let answer = self.ask("query", &[("query", expression)]).await.unwrap();
         assert_eq!(answer["status"], "success", "{expression}: {answer}");
         answer["data"]["result"].as_array().unwrap().clone()
     }
 
-    /// Waits until a query answers something.
+    /// Waits until a query has a result.
     async fn until(&self, expression: &str) -> Vec<Value> {
         let began = Instant::now();
         loop {
@@ -142,14 +143,14 @@ async fn a_prometheus_collects_evaluates_the_rules_and_answers_the_dashboard() {
         .unwrap();
     std::io::Write::write_all(&mut lint.stdin.take().unwrap(), page.as_bytes()).unwrap();
     let lint = lint.wait_with_output().unwrap();
-    // Code 3 is advice on names, of which process_* are not ours.
+    // Code 3 is advice on names; process_* are not ours.
     let advice = [&lint.stdout, &lint.stderr].map(|text| String::from_utf8_lossy(text).into_owned()).concat();
     assert!(
         !advice.contains("error while linting") && !advice.lines().any(|line| line.starts_with("homolog_")),
         "{advice}"
     );
 
-    // Rules are evaluated without errors, and nothing fires of a service that works.
+    // Rules are evaluated without errors, and no alert fires for a working service.
     let began = Instant::now();
     let rules = loop {
         let rules = prometheus.ask("rules", &[]).await.unwrap();
@@ -164,14 +165,14 @@ async fn a_prometheus_collects_evaluates_the_rules_and_answers_the_dashboard() {
     for rule in &rules {
         assert!(rule["health"] == "ok" && rule["state"] == "inactive", "{rule}");
     }
-    // Every panel of the dashboard has a valid query; those on what has happened have data.
+    // Every panel of the dashboard has a valid query; the ones on events that have happened have data.
     let dashboard = std::fs::read_to_string(root().join("deploy/grafana/homolog.json")).unwrap();
     let mut all = Vec::new();
     expressions(&serde_json::from_str(&dashboard).unwrap(), &mut all);
     assert!(all.len() > 10);
     for expression in &all {
         let expression = expression.replace("$job", ".*");
-        // Of what has not happened: no problem, no webhook. A rate needs two scrapes after the first event.
+        // Events that have not happened: no problem, no webhook. A rate needs two scrapes after the first event.
         if expression.contains("problems") || expression.contains("webhook") {
             prometheus.query(&expression).await;
         } else {

@@ -1,7 +1,8 @@
-//! The contract of the service, promise by promise, over the wire and on both stores (SQLite with a folder, PostgreSQL with S3).
+//! The contract of the service, promise by promise, over HTTP and on both stores (SQLite with a folder, PostgreSQL with
+//! S3).
 //!
-//! [`PROMISES`] lists them in the order of the design of the API, each in a few words with the tests that hold it: those of this
-//! file, and others that go deeper. A test makes sure that all of them exist.
+//! [`PROMISES`] lists them in the order of the API's design, each in a few words with the tests that check it: the
+//! tests of this file, and others with more detail. A test checks that all of them exist.
 
 mod following;
 mod formats;
@@ -15,10 +16,10 @@ use serde_json::{Value, json};
 use std::path::Path;
 use std::time::Duration;
 
-/// For something that takes a poll or two, on a loaded machine.
+/// Longest wait for something that takes a poll or two, on a loaded machine.
 const SOON: Duration = Duration::from_secs(30);
 
-/// Each promise, and the tests that hold it, as module path and function.
+/// Each promise, and the tests that check it, as module path and function.
 const PROMISES: &[(&str, &[&str])] = &[
     // Conventions
     (
@@ -288,7 +289,7 @@ impl Served {
         if text.is_empty() { Value::Null } else { serde_json::from_str(&text).unwrap() }
     }
 
-    /// Uploads these bytes; the id.
+    /// Uploads these bytes; returns the id.
     async fn upload(&self, content: &str) -> String {
         let sent = self.client.http.post(self.url("/v1/meshes")).body(content.to_owned()).send().await.unwrap();
         assert!(sent.status().is_success());
@@ -296,7 +297,7 @@ impl Served {
     }
 }
 
-/// Parameters of a job with so many points of a trace, at these intervals.
+/// Parameters of a job with this number of trace points at this interval.
 fn steps(points: u64, step_ms: u64) -> Value {
     json!({"points": points, "step_ms": step_ms})
 }

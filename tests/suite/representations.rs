@@ -32,7 +32,7 @@ pub(super) async fn matched() -> (TestService, String) {
     matched_with(json!({"input": {"surface": "voxel"}})).await
 }
 
-/// The same with these parameters.
+/// As [`matched`], with these parameters.
 pub(super) async fn matched_with(parameters: Value) -> (TestService, String) {
     let [source, target] = small_volumes().map(Part::bytes);
     let form = Form::new()
@@ -186,7 +186,7 @@ async fn every_part_comes_in_every_format_it_has() {
     let unknown = accepting(&service, "/v1/jobs/00000000-0000-0000-0000-000000000000/aligned", "image/png").await;
     problem(unknown, 404, "job-not-found").await;
 
-    // The page runs its own script alone, and not in the name of the service.
+    // The page runs only its own script, and without the rights of the service's origin.
     let page = service.get(&format!("{job}/report")).await;
     assert_eq!(
         text(page.headers(), "content-security-policy").unwrap(),

@@ -1,4 +1,4 @@
-//! Commands of docs/runbook.md, run for their effect.
+//! Commands of docs/runbook.md, run to check their effects.
 
 use crate::jobs_support::TestService;
 use serde_json::json;
@@ -47,7 +47,7 @@ async fn the_shorter_retention_for_a_full_disk_removes_older_results() {
     service.end().await;
 }
 
-/// Whether a tool that an operator needs is on this machine; says so if it is not.
+/// Whether a tool of an operator is on this machine; prints a note if it is not.
 fn has_tool(name: &str) -> bool {
     let found = Command::new(name).arg("--version").output().is_ok();
     if !found {

@@ -1,4 +1,4 @@
-//! Which of several queued jobs starts, when, and on how many threads.
+//! Which queued job starts next, when, and on how many threads.
 
 use super::jobs_support::{TestService, WorkerProcess};
 use serde_json::{Value, json};

@@ -1,7 +1,7 @@
-//! The service against its OpenAPI document: schemathesis sends valid and invalid requests to every operation, and reports answers
-//! that the document does not describe, and every 5xx.
+//! The service against its OpenAPI document: schemathesis sends valid and invalid requests to every operation, and
+//! reports every 5xx and every answer that the document does not describe.
 //!
-//! `make contract` sends more of them.
+//! `make contract` sends more requests.
 
 use super::faults::on_both;
 use super::faults::site::{Backend, Site};
@@ -18,10 +18,10 @@ async fn every_answer_is_one_of_the_document(backend: Backend) {
     let mut command = Command::new(tool);
     command.arg("--config-file").arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/schemathesis.toml"));
     command.args(["run", &format!("{}/openapi.json", program.base), "--max-examples", &examples]);
-    // The phase `coverage` is left out: this version of schemathesis crashes in it on large documents.
+    // The phase `coverage` is omitted: this version of schemathesis crashes in it on large documents.
     command.args(["--phases", "examples,fuzzing,stateful", "--suppress-health-check", "all"]);
-    // A request that is valid by the document may still be refused, for instance for a page token that was never issued, or a
-    // file that is not a surface.
+    // A request that is valid by the document may still be refused, for example for a page token that was never issued,
+    // or a file that is not a surface.
     command.args(["--exclude-checks", "positive_data_acceptance", "--seed", "1", "--workers", "1", "--no-color"]);
     let folder = site.folder.path().to_owned();
     let done = tokio::task::spawn_blocking(move || command.current_dir(folder).output()).await.unwrap().unwrap();

@@ -11,7 +11,7 @@ async fn connect(service: &TestService) -> TcpStream {
     TcpStream::connect(service.base.strip_prefix("http://").unwrap()).await.unwrap()
 }
 
-/// A request to be answered, on a connection that then stays open.
+/// A request, after whose answer the connection stays open.
 const PING: &[u8] = b"GET /healthz HTTP/1.1\r\nhost: localhost\r\n\r\n";
 
 /// Sends a request and reads its answer to the end of its body.
@@ -186,7 +186,7 @@ async fn heads_that_are_too_long_are_problems_and_what_is_no_http_ends_its_conne
     assert_eq!(refused["limit_bytes"], 64 << 10);
     assert_eq!(service.get(&format!("/healthz?{}", long(15 << 10))).await.status(), 200);
 
-    // What hyper answers by itself: a status without a body, then the connection is closed.
+    // hyper's own answers: a status without a body, then the connection is closed.
     let headers: String = (0..101).map(|k| format!("x-{k}: 1\r\n")).collect();
     for (request, status) in [
         ("nonsense\r\n\r\n".to_owned(), 400),
@@ -197,7 +197,7 @@ async fn heads_that_are_too_long_are_problems_and_what_is_no_http_ends_its_conne
         (format!("GET /healthz HTTP/1.1\r\nhost: localhost\r\nx: {}\r\n\r\n", long(500_000)), 431),
     ] {
         let mut stream = connect(&service).await;
-        // The connection may be closed before all is sent.
+        // The connection may be closed before everything is sent.
         let _ = stream.write_all(request.as_bytes()).await;
         let answer = String::from_utf8(until_closed(&mut stream).await).unwrap();
         assert!(answer.starts_with(&format!("HTTP/1.1 {status} ")), "{status}: {answer}");

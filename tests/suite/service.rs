@@ -152,7 +152,7 @@ async fn an_idempotency_key_creates_one_job() {
     let first = send("one", 1).await.unwrap();
     assert!(!first.headers().contains_key("idempotency-replayed"));
     let first = body(first).await;
-    // The job has changed since, but the first answer is repeated.
+    // The job has changed in the meantime, but the first answer is repeated.
     service.post(&format!("/v1/jobs/{}/cancel", first["id"].as_str().unwrap())).await;
     let again = send("one", 1).await.unwrap();
     assert_eq!((again.status().as_u16(), &again.headers()["idempotency-replayed"]), (202, &"true".parse().unwrap()));

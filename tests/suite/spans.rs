@@ -1,5 +1,5 @@
-//! Spans of OpenTelemetry, as a collector on loopback receives them from the program: one trace from the request to the phases of
-//! the job in another process, and nothing of a patient in it.
+//! OpenTelemetry spans, as a collector on loopback receives them from the program: one trace from the request to the
+//! phases of the job in another process, without any patient data.
 
 use super::cli::homolog;
 use axum::extract::State;
@@ -75,7 +75,7 @@ impl Process {
         (process, line.split_whitespace().last().unwrap_or_default().to_owned())
     }
 
-    /// SIGTERM; how long it takes to end, and its log.
+    /// Sends SIGTERM; returns the time until the process has ended, and its log.
     fn terminate(mut self) -> (Duration, String) {
         let began = Instant::now();
         assert!(Command::new("kill").arg(self.0.id().to_string()).status().unwrap().success());
@@ -154,7 +154,7 @@ async fn one_trace_leads_from_the_request_to_the_phases_of_the_job_and_names_no_
         assert!(began.elapsed() < Duration::from_secs(20));
         tokio::time::sleep(Duration::from_millis(20)).await;
     }
-    // What was not sent yet is sent at the end.
+    // Unsent spans are sent at the end.
     tokio::time::sleep(Duration::from_millis(500)).await;
     worker.terminate();
     serve.terminate();
@@ -190,7 +190,7 @@ async fn one_trace_leads_from_the_request_to_the_phases_of_the_job_and_names_no_
     }
     let (begin, end) = (run.start_time_unix_nano, run.end_time_unix_nano);
     assert!(parts.iter().all(|part| part.start_time_unix_nano >= begin && part.end_time_unix_nano <= end));
-    // In the order in which they arrived, the second job may be the first.
+    // The hooks are in the order of their arrival, in which the second job may be the first.
     let hooks = collector.hooks.lock().unwrap().clone();
     let of_trace: Vec<_> =
         hooks.iter().map(|hook| hook["traceparent"].to_str().unwrap()).filter(|hook| hook.contains(TRACE)).collect();
@@ -198,7 +198,7 @@ async fn one_trace_leads_from_the_request_to_the_phases_of_the_job_and_names_no_
     assert_eq!(of_trace, [delivery], "the receiver goes on");
     assert!(all.iter().all(|span| hex(&span.trace_id) != "1".repeat(32)), "not sampled");
 
-    // Nothing that a client has named.
+    // No text that a client has chosen.
     let bodies = collector.bodies.lock().unwrap().clone();
     for body in &bodies {
         let text = String::from_utf8_lossy(body);
@@ -223,7 +223,7 @@ async fn a_collector_that_does_not_answer_delays_nothing_and_is_logged_once() {
     homolog::tls::prepare();
     let folder = tempfile::tempdir().unwrap();
     let (pair, data_dir) = (pair(&folder.path().join("pair")), folder.path().join("data"));
-    // It takes connections and never answers.
+    // A collector that accepts connections and never answers.
     let collector = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let endpoint = format!("http://{}", collector.local_addr().unwrap());
     let (serve, service) =

@@ -256,7 +256,7 @@ async fn a_job_whose_workers_crash_waits_longer_each_time(f: Fixture) {
         assert_eq!(claimed.lease.job_id, poison.id);
         tokio::time::sleep(SHORT * 2).await;
         assert_eq!(store.recover_expired().await.unwrap().queued, 1);
-        // Meanwhile others run, whatever their priority.
+        // Other jobs run in the meantime, whatever their priority.
         if crashes == 1 {
             assert_eq!(store.claim_next(&f.worker, LONG, LONG).await.unwrap().unwrap().lease.job_id, other.id);
         }

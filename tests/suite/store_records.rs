@@ -242,7 +242,7 @@ async fn each_tenant_has_its_own_retention(f: Fixture) {
     assert_eq!(f.store.purge(&retentions, 10, false).await.unwrap().jobs, 1);
     assert!(matches!(f.store.get_job(&brief, purged.id).await, Err(JobError::NotFound)));
     assert!(f.store.get_job(&f.tenant, kept.id).await.is_ok());
-    // The other way round: a tenant that keeps for ever what others do not.
+    // The opposite case: a tenant keeps forever what others do not.
     let forever = [format!("{}=0", f.tenant.name()).parse().unwrap()];
     let all = Retention { results: None, jobs: Some(SHORT) };
     assert_eq!(f.store.purge(&Retentions::new(all, &[], &forever), 10, false).await.unwrap().jobs, 0);

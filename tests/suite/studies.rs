@@ -1,4 +1,4 @@
-//! `homolog study`: killed and continued, computed again from its document, and what is said to wrong tables.
+//! `homolog study`: killed and continued, computed again from its document, and messages about wrong tables.
 
 use super::cli::{homolog, read_json};
 use std::collections::BTreeMap;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// Small surfaces of different phantoms, and their table.
+/// Writes small surfaces of different phantoms, and their table.
 pub(super) fn cohort(folder: &Path, n: usize) -> PathBuf {
     let mut text = "id,file,group\n".to_owned();
     for k in 0..n {
@@ -65,7 +65,7 @@ fn block(heading: &str, language: &str) -> String {
     block.split_once("```").unwrap().0.to_owned()
 }
 
-/// The example of docs/studies.md as it stands there. Label volumes of phantoms, each with its mirror image as the right side.
+/// The example of docs/studies.md as written. Label volumes of phantoms, each with its mirror image as the right side.
 #[test]
 fn the_study_of_asymmetry_in_the_documentation_does_what_it_says() {
     let place = tempfile::tempdir().unwrap();
@@ -112,7 +112,7 @@ fn the_study_of_asymmetry_in_the_documentation_does_what_it_says() {
     let smallest = said.lines().filter(|line| line.contains("right-left") && line.contains("normal_displacement"));
     let q: Vec<f64> = smallest.map(|line| line.rsplit(' ').next().unwrap().parse().unwrap()).collect();
     assert!(q.len() == 1 && q[0] > 0.05, "{said}");
-    // Without a side of the template it is said at once.
+    // A missing side of the template is reported at once.
     let given = ["study", "sides.csv", "--out", "other", "--template", "scans/s01-left.nii.gz"];
     let refused = homolog().current_dir(place.path()).args(given).output().unwrap();
     let said = String::from_utf8_lossy(&refused.stderr).into_owned();
@@ -138,7 +138,7 @@ fn a_study_that_is_killed_goes_on_and_ends_with_the_same_bytes() {
         let mut run = homolog();
         run.arg("study").arg(&table).args(OPTIONS).arg("--out").arg(&killed);
         let mut process = run.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
-        // Once one more match is there, or while what follows the matches is being written.
+        // Killed once one more match is stored, or while the outputs after the matches are being written.
         let begun = Instant::now();
         let ended = loop {
             if let Some(status) = process.try_wait().unwrap() {

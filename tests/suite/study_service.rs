@@ -1,4 +1,4 @@
-//! `/v1/studies`: the same bytes as the command, whatever happens to the processes; decisions, further subjects, tenants.
+//! `/v1/studies`: the same bytes as the command, even if processes are killed; decisions, further subjects, tenants.
 
 use super::cli::homolog;
 use super::faults::site::{Backend, Program, Site};
@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 /// Longest time of a study, on a loaded machine.
 const PATIENCE: Duration = Duration::from_secs(400);
-/// A process that is killed takes an attempt of each job that it ran.
+/// A process that is killed uses up an attempt of each of its jobs.
 const ATTEMPTS: [&str; 4] = ["--max-attempts", "100", "--crash-pause-ms", "0"];
 
 /// A service over a study.
@@ -51,7 +51,7 @@ impl Service {
         mesh["id"].as_str().unwrap_or_else(|| panic!("{mesh}")).to_owned()
     }
 
-    /// Waits until the study is in a final state or `done` says so; returns it.
+    /// Waits until the study is in a final state or `done` holds; returns it.
     fn until(&self, path: &str, done: impl Fn(&Value) -> bool) -> Value {
         let began = Instant::now();
         loop {
@@ -101,13 +101,14 @@ fn subject(service: &Service, folder: &Path, k: usize) -> Value {
     json!({"id": format!("s{k}"), "input": {"mesh_id": mesh}, "covariates": {"group": group}})
 }
 
-/// What [`OPTIONS`] ask of the command.
+/// The request that corresponds to [`OPTIONS`] of the command.
 fn asked(subjects: Vec<Value>) -> Value {
     assert!(OPTIONS.windows(2).any(|pair| pair == ["--permutations", "50"]));
     json!({"subjects": subjects, "effect": "group", "permutations": 50, "template_subjects": 3, "template_rounds": 2})
 }
 
-/// Both have the same files with the same bytes. Of the study document the names of files differ: the service has none.
+/// Asserts that both have the same files with the same bytes. In the study document the file names differ, because the
+/// service has none.
 fn same(service: &BTreeMap<PathBuf, Vec<u8>>, command: &Path) {
     let command = contents(command);
     assert_eq!(service.keys().collect::<Vec<_>>(), command.keys().collect::<Vec<_>>());
@@ -175,7 +176,7 @@ fn sides_are_mirrored_as_by_the_command() {
         (&json!("right"), &json!(4))
     );
 
-    // What contradicts itself is said before the first match.
+    // Contradictory requests are refused before the first match.
     let refused = |asked: &Value| {
         let response = service.post("/v1/studies", asked);
         assert_eq!(response.status(), 422);
@@ -219,7 +220,7 @@ fn equal_to_the_command_whatever_happens(backend: Backend) {
     let path = format!("/v1/studies/{id}");
     assert_eq!((&made["state"], &made["n_subjects"]), (&"queued".into(), &6.into()));
 
-    // Killed after each further match or change of state, and while it models.
+    // Killed after each further match or change of state, and during modeling.
     let (mut kills, mut states) = (0, BTreeSet::new());
     loop {
         let mark = |study: &Value| (study["state"].clone(), study["progress"].clone());
@@ -238,12 +239,12 @@ fn equal_to_the_command_whatever_happens(backend: Backend) {
     assert!(states.contains("matching"), "{states:?}");
     same(&service.archive(&path), &out);
 
-    // No match twice: as many as there are records, and steps are not listed.
+    // No match is computed twice: there are as many as records, and steps are not listed.
     let records = contents(&out.join("matches")).len();
     let matches = service.matches(&id);
     assert_eq!(matches.len(), records);
 
-    // Its parts.
+    // The parts of the result.
     let result = service.get(&format!("{path}/result"));
     assert_eq!(result["found"]["subjects"]["model"], 6);
     let report = service.client.get(service.url(&format!("{path}/report"))).send().unwrap();
@@ -353,7 +354,7 @@ fn a_study_belongs_to_its_tenant_and_can_be_cancelled() {
     let listed: Value = ask("GET", "/v1/studies", &own, None).json().unwrap();
     assert_eq!(listed["studies"], json!([]));
 
-    // Of the same request with the same key there is one study.
+    // Equal requests with the same key create one study.
     let send = || {
         let request = service.client.post(service.url("/v1/studies")).bearer_auth(&own).header("idempotency-key", "k1");
         request.json(&body).send().unwrap()
@@ -390,7 +391,7 @@ fn a_study_belongs_to_its_tenant_and_can_be_cancelled() {
     let changes: Value = ask("GET", "/v1/changes", &own, None).json().unwrap();
     assert_eq!(changes["changes"], json!([]), "and so are its changes");
 
-    // Neither ids of subjects nor covariates are in the database; all of it goes with the study.
+    // The database contains neither ids of subjects nor covariates; all data are deleted with the study.
     let blobs = || contents(&site.data_dir()).into_keys().filter(|path| path.starts_with("blobs")).count();
     let database = fs::read(site.data_dir().join("homolog.sqlite-wal")).unwrap();
     assert!(!database.windows(4).any(|w| w == b"Jane"));
@@ -424,7 +425,7 @@ fn a_study_that_does_not_fit_is_refused_like_its_pair() {
         assert!(document["type"].as_str().unwrap().ends_with(slug), "{document}");
         document.to_string()
     };
-    // 40,962 vertices a side: too much for the energy over curvature, whether a client asks for the pair or for a study of it.
+    // 40,962 vertices a side: too much for the energy over curvature, for a single pair as for a study.
     let parameters = json!({"method": "thesis"});
     let pair = json!({"source": {"mesh_id": large}, "target": {"mesh_id": large}, "parameters": parameters});
     refused("/v1/jobs", &pair, 413, "too-large");
@@ -439,11 +440,11 @@ fn a_study_that_does_not_fit_is_refused_like_its_pair() {
     assert!(said.contains("at most 100"), "{said}");
     let said = refused("/v1/studies", &asked(&large, 50, 1_000_000), 413, "too-large");
     assert!(said.contains("1000000 permutations of 40962 vertices, 3 measures and 51 contrasts"), "{said}");
-    // What fits is accepted.
+    // A study within the limit is accepted.
     let accepted = service.post("/v1/studies", &asked(&small, 3, 1_000));
     assert_eq!(accepted.status(), 202, "{}", accepted.text().unwrap());
 
-    // The limit is that of one match.
+    // The limit is the one of a match.
     drop(service);
     let service = Service::start(&site, &["--auth", "none", "--workers", "0", "--max-match-bytes", "300000000"]);
     let answer = service.post("/v1/studies", &asked(&large, 50, 10));

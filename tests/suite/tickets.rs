@@ -1,4 +1,5 @@
-//! Tickets for browsers: one path below which events and downloads can be read, for one tenant, for a minute, and never logged.
+//! Tickets for browsers: one path below which events and downloads can be read, for one tenant, for a minute, and never
+//! logged.
 
 use super::encryption::command;
 use super::faults::client::{id_of, steps};
@@ -59,7 +60,7 @@ async fn a_ticket_reads_one_resource_of_one_tenant_for_a_minute(backend: Backend
     let (_, narrow) = ask(&owner, &of(&job, "/events")).await;
     assert_eq!(get(&of(&job, "/events"), &narrow).await.0, 200);
 
-    // Other paths, what is no event or download, and what changes something.
+    // Refused: other paths, resources that are neither events nor downloads, and changes.
     assert_eq!(get(&of(&job, "/result"), &narrow).await.0, 401);
     for path in
         [of(&another, "/events"), of(&another, "/result"), of(&job, ""), of(&job, "/trace"), "/v1/jobs".to_owned()]
@@ -76,7 +77,7 @@ async fn a_ticket_reads_one_resource_of_one_tenant_for_a_minute(backend: Backend
     for wrong in ["", "hmt_", &whole[..whole.len() - 1], &whole.to_uppercase(), &twice] {
         assert_eq!(get(&of(&job, "/result"), wrong).await.0, 401, "{wrong}");
     }
-    // Of another tenant: its own view, in which there is no such job.
+    // A ticket of another tenant sees its own jobs only, so this job does not exist.
     let (status, foreign) = ask(&other, &of(&job, "")).await;
     assert_eq!(status, 201, "the answer does not tell whether the job exists");
     assert_eq!(get(&of(&job, "/result"), &foreign).await.0, 404);
@@ -96,7 +97,7 @@ async fn a_ticket_reads_one_resource_of_one_tenant_for_a_minute(backend: Backend
     let database = site.database().await;
     assert!(database.texts("SELECT hash FROM tickets").await.iter().all(|hash| !whole.contains(hash.as_str())));
 
-    // It ends with its time, and with the key that asked for it.
+    // A ticket ends after its time, and with the key that requested it.
     let (_, brief) = ask(&owner, &of(&job, "")).await;
     database.execute("UPDATE tickets SET expires_at = 0").await;
     for ticket in [&whole, &brief] {
@@ -122,7 +123,7 @@ async fn a_tenant_has_a_thousand_tickets_at_a_time(backend: Backend) {
                   INSERT INTO tickets (hash, tenant, key_id, path, expires_at) \
                   SELECT 'filled-' || k, 'owner', NULL, '/v1/jobs/1', 9999999999999 FROM n";
     database.execute(filled).await;
-    // Also of requests at the same time, no more are answered.
+    // The limit also holds for concurrent requests.
     let answers = futures_util::stream::iter(0..40).map(|_| ask(&owner)).buffer_unordered(8);
     let statuses: Vec<u16> = answers.map(|answer| answer.status().as_u16()).collect().await;
     let counted = [201, 429].map(|status| statuses.iter().filter(|s| **s == status).count());

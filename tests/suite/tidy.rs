@@ -1,8 +1,8 @@
-//! The rules of the source tree that no compiler checks: which module of the program may use which, what members may
-//! depend on, and how files look.
+//! Rules of the source tree that no compiler checks: which modules of the program may use which, the allowed
+//! dependencies of members, and the form of files.
 //!
-//! Between members the compiler enforces the dependencies: what is not in a member's `Cargo.toml` cannot be used.
-//! ARCHITECTURE.md shows both tables below; tests check that they are equal.
+//! Between members the compiler enforces the dependencies: a crate that is not in a member's `Cargo.toml` cannot be
+//! used. ARCHITECTURE.md shows both tables below; tests check that they are equal.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -32,8 +32,8 @@ const MEMBERS: &[(&str, &[&str])] = &[
 const NUMERICS: &[&str] =
     &["primitives", "mesh", "geometry", "mrf", "registration", "methods", "contract", "matching", "formats"];
 
-/// What those never use: networks, files, clocks, the environment, the terminal. Runtimes and databases are not among
-/// their dependencies, which the compiler enforces.
+/// Modules that these members never use: networks, files, clocks, the environment, the terminal. Runtimes and databases
+/// are not among their dependencies, which the compiler enforces.
 const NOT_IN_NUMERICS: &[&str] =
     &["std::fs", "std::net", "std::env", "std::process", "std::time", "Instant", "SystemTime"];
 
@@ -280,7 +280,7 @@ fn expand<'a>(code: &'a str, prefix: &str, found: &mut Vec<String>) -> &'a str {
     }
 }
 
-/// Whether `code` names `path` as the beginning of a path or as a whole word.
+/// Whether `code` contains `path` as the beginning of a path or as a whole word.
 fn names(code: &str, path: &str) -> bool {
     code.match_indices(path).any(|(at, _)| {
         let before = code[..at].chars().next_back();

@@ -81,11 +81,11 @@ async fn certificates_are_replaced_without_dropping_connections() {
     let mut events = open.get(url(&service, &format!("/v1/jobs/{job}/events"))).send().await.unwrap();
     assert_eq!(events.status(), 200);
     assert!(events.chunk().await.unwrap().is_some());
-    // Neither without TLS, nor with another authority.
+    // Neither a client without TLS nor one with another authority is served.
     assert!(service.client.get(format!("{}/healthz", service.base)).send().await.is_err());
     assert!(second.client(None).get(url(&service, "/healthz")).send().await.is_err());
 
-    // Half of a renewal, then rubbish: the earlier certificate is used.
+    // Half of a renewal, then invalid content: the earlier certificate stays in use.
     fs::write(files.path("cert.pem"), second.sign("localhost").0).unwrap();
     tokio::time::sleep(Duration::from_secs(3)).await;
     fs::write(files.path("cert.pem"), "no certificate").unwrap();
@@ -98,12 +98,12 @@ async fn certificates_are_replaced_without_dropping_connections() {
         tokio::time::sleep(Duration::from_millis(200)).await;
     }
     assert!(first.client(None).get(url(&service, "/healthz")).send().await.is_err());
-    // The stream that was open goes on to its end.
+    // The open stream continues to its end.
     let cancelled = second.client(None).post(url(&service, &format!("/v1/jobs/{job}/cancel"))).send().await.unwrap();
     assert!(cancelled.status().is_success());
     assert!(events.text().await.unwrap().contains("event: done"));
 
-    // Who begins no handshake is disconnected.
+    // A client that begins no handshake is disconnected.
     let address = service.base.trim_start_matches("http://").to_owned();
     let mut silent = tokio::net::TcpStream::connect(address).await.unwrap();
     let closed = tokio::time::timeout(Duration::from_secs(10), silent.read(&mut [0; 16])).await;
@@ -118,7 +118,7 @@ async fn certificates_are_read_again_at_sighup() {
     let service = files.start(&[]).await;
     assert_eq!(authority.client(None).get(url(&service, "/healthz")).send().await.unwrap().status(), 200);
     let mut waited = Duration::ZERO;
-    // Files are looked at every 2 s too, so that each of these would take so long after the one before.
+    // Files are also checked every 2 s, so without the signal each of these rounds would take that long.
     for round in 0..4 {
         authority = Authority::new();
         files.put(authority.sign("localhost"));

@@ -1,4 +1,4 @@
-//! Tokens of an OpenID Connect provider: accepted beside API keys, with a role and a tenant; refused for every fault.
+//! Tokens of an OpenID Connect provider: accepted besides API keys, with a role and a tenant; refused for every fault.
 
 use super::cli::homolog;
 use super::jobs_support::{TestService, form, problem};
@@ -39,7 +39,7 @@ impl Key {
         }
     }
 
-    /// Its entry in the key set.
+    /// The entry of the key in the key set.
     fn jwk(&self, kid: &str) -> Value {
         let bytes = self.public();
         match self {
@@ -144,14 +144,14 @@ async fn tokens_are_accepted_beside_keys_with_their_role_and_tenant() {
         problem(get(&service, &ed.token("one", &claims(&no_role))).await, 403, "scope-missing").await;
     }
 
-    // A key of the command line is of the same tenant.
+    // A key from the command line belongs to the same tenant.
     let mut command = homolog();
     command.args(["keys", "create", "--tenant", "clinic-a", "--data-dir"]).arg(service.folder.path());
     let done = tokio::task::spawn_blocking(move || command.output()).await.unwrap().unwrap();
     let key = String::from_utf8(done.stdout).unwrap();
     assert_eq!(read(key.trim()).await.status(), 200);
 
-    // The audit log tells users apart without naming them.
+    // The audit log distinguishes users without naming them.
     let mut command = homolog();
     command.args(["audit", "export", "--data-dir"]).arg(service.folder.path());
     let done = tokio::task::spawn_blocking(move || command.output()).await.unwrap().unwrap();
@@ -209,7 +209,7 @@ async fn tokens_with_any_fault_are_refused() {
     let altered = BASE64.encode(claims(&json!({"site": "clinic-b"})).to_string());
     let header_with = |alg: &str| json!({"alg": alg, "kid": "one"});
     let unsigned = format!("{}.{payload}.", BASE64.encode(header_with("none").to_string()));
-    // Signed with the public key as if it were a shared secret.
+    // Signed with the public key as a shared secret.
     let by_public_key = {
         let message = format!("{}.{payload}", BASE64.encode(header_with("HS256").to_string()));
         let secret = ring::hmac::Key::new(ring::hmac::HMAC_SHA256, ed.public());
@@ -280,7 +280,7 @@ async fn a_new_key_of_the_provider_is_fetched_and_unknown_keys_are_not_fetched_f
     *set.lock().unwrap() = json!({"keys": [old.jwk("old"), new.jwk("new")]});
     tokio::time::sleep(Duration::from_millis(5_200)).await;
     assert_eq!(get(&service, &tokens[1]).await.status(), 200, "the new key");
-    // The old key is withdrawn, and the provider goes away: what is known goes on.
+    // The old key is withdrawn, and the provider becomes unreachable: known keys continue to work.
     serving.abort();
     let _ = serving.await;
     tokio::time::sleep(Duration::from_millis(5_200)).await;

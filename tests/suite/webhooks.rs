@@ -62,7 +62,7 @@ async fn made(service: &TestService, body: &Value) -> Value {
     response.json().await.unwrap()
 }
 
-/// The log of a webhook once `done` holds.
+/// The delivery log of a webhook once `done` holds.
 async fn log(service: &TestService, id: &str, done: impl Fn(&[Value]) -> bool) -> Vec<Value> {
     let began = Instant::now();
     loop {
@@ -149,7 +149,8 @@ async fn private_addresses_are_refused_unless_allowed() {
     .await;
     service.end().await;
 
-    // Allowed when the webhook was created but no longer: the address is checked at every delivery.
+    // Private addresses were allowed when the webhook was created, but are not any more: the address is checked at
+    // every delivery.
     let service = TestService::start(&SETTINGS).await;
     let (receiver, url) = Receiver::start(&[]).await;
     let webhook = made(&service, &json!({"url": url})).await;
@@ -180,7 +181,7 @@ impl Drop for Documented {
     }
 }
 
-/// Runs a receiver against a service: it prints what is signed, once, and refuses everything else.
+/// Runs a receiver against a service: it prints each signed event once, and refuses everything else.
 async fn check_receiver(mut receiver: Command) {
     let service = TestService::start(&SETTINGS).await;
     let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
@@ -200,7 +201,7 @@ async fn check_receiver(mut receiver: Command) {
     assert_eq!(first, format!("job.succeeded {job}"));
     log(&service, id, |log| log.iter().any(|entry| entry["state"] == "delivered")).await;
 
-    // The same delivery again is accepted and not handled again; a forged and an old one are refused.
+    // The same delivery is accepted again but not handled again; a forged delivery and an old one are refused.
     let signer = standardwebhooks::Webhook::new(secret).unwrap();
     let now = jiff::Timestamp::now().as_second();
     let sent = async |id: &str, at: i64, signed: &str, body: &str| {

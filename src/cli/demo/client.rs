@@ -22,12 +22,12 @@ pub(in crate::cli) struct Answer {
 const MAX_BODY: u64 = 512 << 20;
 
 impl ServiceClient {
-    /// `base` is scheme and authority, such as `http://127.0.0.1:8080`; `timeout` is that of every request.
+    /// `base` is scheme and authority, such as `http://127.0.0.1:8080`; `timeout` applies to every request.
     pub(in crate::cli) fn new(base: &str, timeout: Duration) -> Self {
         let config = ureq::Agent::config_builder()
             .timeout_global(Some(timeout))
             .http_status_as_error(false)
-            // The service is local or named explicitly; a proxy from the environment is not meant for it.
+            // The service is local or named explicitly, so a proxy from the environment does not apply to it.
             .proxy(None)
             .build();
         ServiceClient { base: base.trim_end_matches('/').to_owned(), agent: config.into() }
@@ -128,7 +128,7 @@ fn multipart(parts: &[FormPart<'_>]) -> (String, Vec<u8>) {
             format!("--{boundary}\r\ncontent-disposition: form-data; name=\"{}\"", part.name).as_bytes(),
         );
         if let Some(name) = part.file_name {
-            // As browsers do: characters that would end the quoted string are percent-encoded.
+            // As in browsers, characters that would end the quoted string are percent-encoded.
             let name = name.replace('"', "%22").replace('\r', "%0D").replace('\n', "%0A");
             body.extend_from_slice(format!("; filename=\"{name}\"").as_bytes());
         }

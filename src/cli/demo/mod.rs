@@ -47,7 +47,7 @@ pub(super) struct DemoArgs {
 const POLL_EVERY: Duration = Duration::from_millis(100);
 /// Timeout of a request.
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
-/// A structure, bent and rotated, so that every true corresponding point is known; any other would do.
+/// A structure, bent and rotated, so that every true corresponding point is known. The choice is arbitrary.
 const DEMO_PAIR: PairRecipe = PairRecipe {
     subject: 1,
     target_subject: 1,
@@ -92,7 +92,7 @@ pub(super) fn run(args: &DemoArgs) -> Result<(), CliError> {
         }
     }
     service.stop();
-    // The data of the demo is of no further use; a service that was kept may hold other jobs.
+    // The data of the demo are not needed any more; a service that was kept may hold other jobs.
     if !args.keep {
         let _ = std::fs::remove_dir_all(&data_dir);
     }
@@ -135,7 +135,7 @@ fn match_over_http(
     Ok(job)
 }
 
-/// What the demo downloads: name of the file, link of the result, format, and which programs open it.
+/// The downloads of the demo: name of the file, link of the result, format, and programs that open it.
 const DOWNLOADS: [(&str, &str, &str, &str); 7] = [
     ("report.html", "report", "html", "a page with the verdict and both surfaces to turn: any browser"),
     ("aligned.ply", "aligned", "ply", "the source moved rigidly: MeshLab, Blender, ParaView, 3D Slicer"),
@@ -205,7 +205,7 @@ fn follow(
             return Err(CliError::Interrupted);
         }
         service.check_running()?;
-        // The job first: once it is finished, the trace read after it is complete.
+        // The job is read first: once it is finished, a trace read after it is complete.
         let job = client.get_json(&format!("/v1/jobs/{id}"))?;
         let query = after_seq.map(|seq: u64| format!("?after_seq={seq}")).unwrap_or_default();
         let page = client.get_json(&format!("/v1/jobs/{id}/trace{query}"))?;

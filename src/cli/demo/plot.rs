@@ -3,9 +3,9 @@
 /// Dots of a Braille character by column and row, as Unicode numbers them.
 const DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 
-/// Lines of a plot of `values` over their index; `marks` are indices named on the axis. The scale is logarithmic where
-/// all values are positive and the largest is more than ten times the smallest, else linear. Empty without two finite
-/// values.
+/// Lines of a plot of `values` over their index; `marks` are indices named on the axis. The scale is logarithmic if all
+/// values are positive and the largest is more than ten times the smallest, otherwise linear. Empty with fewer than two
+/// finite values.
 pub(super) fn plot(values: &[f64], marks: &[usize], width: usize, height: usize) -> Vec<String> {
     let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     let (width, height) = (width.max(2), height.max(2));
@@ -48,7 +48,7 @@ pub(super) fn plot(values: &[f64], marks: &[usize], width: usize, height: usize)
             k if k == height / 2 && logarithmic => "(logarithmic)".to_owned(),
             _ => String::new(),
         };
-        // What the curve ends with stands behind its end.
+        // The last value is printed behind the end of the curve.
         let end = last.filter(|&(_, y)| y / 4 == k).and(finite.last()).map_or_else(String::new, |v| format!(" {v:.2}"));
         let curve: String = row.iter().map(|&bits| char::from_u32(0x2800 + bits).unwrap_or(' ')).collect();
         lines.push(format!("{label:>13} ┤{curve}{end}"));
@@ -78,7 +78,7 @@ mod tests {
 
     #[test]
     fn a_wide_range_is_drawn_on_a_logarithmic_scale() {
-        // Equal ratios are a straight line: the middle value is in the middle row.
+        // Equal ratios form a straight line, so the middle value is in the middle row.
         let lines = plot(&[10_000.0, 100.0, 1.0], &[], 3, 3);
         assert!(lines[1].chars().any(|c| ('\u{2801}'..='\u{28ff}').contains(&c)), "{lines:?}");
     }

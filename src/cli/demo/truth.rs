@@ -6,9 +6,9 @@ use homolog_laboratory::phantom::{DEFAULT_EDGE_MM, PairRecipe, PhantomPair};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-/// Errors of an answer, in one paragraph. `source` is the matched source, `warped` the same bent onto the target.
+/// Errors of an answer, in one paragraph. `source` is the matched source, `warped` the source bent onto the target.
 ///
-/// Points of the true source surface are carried with the answer and compared with where the phantom puts them.
+/// The answer maps points of the true source surface; their images are compared with the phantom's.
 ///
 /// # Errors
 /// [`CliError`] if the phantom cannot be made.
@@ -47,7 +47,7 @@ pub(super) fn compared_with_truth(
     ))
 }
 
-/// The rotation of the rigid transform that fits pairs of points best (Kabsch 1976): bending rotates, too.
+/// The rotation of the rigid transform that best fits pairs of points (Kabsch 1976), because bending also rotates.
 fn best_rotation(pairs: &[[Vector3<f64>; 2]]) -> Rotation3<f64> {
     let n = pairs.len().max(1) as f64;
     let mean = |k: usize| pairs.iter().map(|pair| pair[k]).sum::<Vector3<f64>>() / n;

@@ -234,7 +234,7 @@ async fn take(
     Ok(state.service.submit_batch(submission).await?)
 }
 
-/// A pair whose fields are within their limits; else the field that is not, and what is allowed.
+/// Checks that the fields of a pair are within their limits; otherwise returns the faulty field, and its limit.
 fn check_pair(pair: PairDocument) -> Result<BatchPair, (&'static str, String)> {
     let hash = |side: &'static str, id: &str| match hash_of_id(id) {
         Some(hash) => Ok(hash.to_owned()),
@@ -339,7 +339,7 @@ impl Resource for WatchedBatch<'_> {
     }
 }
 
-/// What of a batch counts as a change. Progress: the counts. State: all else, such as whether it is finished.
+/// The version of a batch. Progress: the counts. State: all other members, such as whether the batch is finished.
 fn version(mut document: BatchDocument) -> Result<Version, Problem> {
     let counts = std::mem::take(&mut document.counts);
     Version::of(&document, &counts)

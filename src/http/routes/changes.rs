@@ -19,11 +19,11 @@ use tokio::time::Instant;
 
 const DEFAULT_CHANGES: u32 = 500;
 const MAX_CHANGES: u32 = 5_000;
-/// After the first change that ends a wait, those that follow at once are gathered: a batch ends jobs faster than answers
-/// are worth sending.
+/// After the first change ends a wait, changes that follow at once are gathered into the same answer, because a batch
+/// can end many jobs in quick succession.
 const GATHER: Duration = Duration::from_millis(100);
 
-/// A number that has two names: its own, and that of the other lists.
+/// A number with two names: its own name, and the name that other lists use.
 fn either<T>(query: &mut QueryString, [own, of_lists]: [&str; 2], range: RangeInclusive<T>) -> Option<T>
 where
     T: FromStr + PartialOrd + Display + Clone,
@@ -75,7 +75,7 @@ pub(crate) async fn list(
         let feed = state.service.follow_changes(&tenant, since);
         let mut seen = feed.seen();
         let appear = async {
-            // An error says that the reader has ended; then the store is asked.
+            // An error means that the reader has ended; the store is then read.
             let _ = seen.wait_for(|has_changes| **has_changes).await;
             tokio::time::sleep_until(until.min(Instant::now() + GATHER)).await;
         };

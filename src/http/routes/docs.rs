@@ -17,11 +17,11 @@ const POLICY: HeaderValue = HeaderValue::from_static(
 
 static CONFIG: LazyLock<Arc<Config<'static>>> = LazyLock::new(|| {
     let config = Config::from("/openapi.json");
-    // The badge of a public validator would send it the address of this service.
+    // The badge of a public validator would reveal the address of this service to it.
     Arc::new(config.use_base_layout().validator_url("none").deep_linking(true).display_request_duration(true))
 });
 
-/// Leads to the page: its files are named relative to `/docs/`.
+/// Redirects to the page, whose files are named relative to `/docs/`.
 pub(crate) async fn leave() -> Response {
     (StatusCode::PERMANENT_REDIRECT, [(header::LOCATION, "/docs/")]).into_response()
 }
@@ -38,7 +38,7 @@ pub(crate) async fn asset(Path(path): Path<String>, headers: HeaderMap) -> Resul
 
 fn file(path: &str, headers: &HeaderMap) -> Result<Response, Problem> {
     let found = utoipa_swagger_ui::serve(path, Arc::clone(&CONFIG));
-    // The library's error has no more to say than that a template is no text; that would be a fault of the build.
+    // The library's error only says that a template is not text, which would be a fault of the build.
     let found = found.map_err(|_| Problem::new(ProblemKind::InternalError))?;
     let file = found.ok_or_else(|| Problem::new(ProblemKind::RouteNotFound))?;
     let content_type = match path.rsplit_once('.').map(|(_, ending)| ending) {

@@ -67,10 +67,10 @@ pub(crate) async fn events(
     Ok(as_stream(follower.into_stream()))
 }
 
-/// What `Last-Event-ID` says to `parse`, if a client states it.
+/// The value of `Last-Event-ID`, read by `parse`, if the client sends it.
 ///
 /// # Errors
-/// `bad-request` if it is no id of an event of the stream.
+/// `bad-request` if it is not the id of an event of the stream.
 pub(super) fn last_event_id<T>(
     headers: &HeaderMap,
     parse: impl FnOnce(&str) -> Option<T>,
@@ -84,7 +84,7 @@ pub(super) fn last_event_id<T>(
     Ok(Some(id))
 }
 
-/// The answer with a stream of events, which nothing on the way is to hold back or keep.
+/// The answer with a stream of events, which no proxy should buffer or store.
 pub(super) fn as_stream(events: impl Stream<Item = Result<Event, Infallible>> + Send + 'static) -> Response {
     let keep_alive = KeepAlive::new().interval(HEARTBEAT).text("alive");
     let mut response = Sse::new(events).keep_alive(keep_alive).into_response();
@@ -94,7 +94,7 @@ pub(super) fn as_stream(events: impl Stream<Item = Result<Event, Infallible>> + 
     response
 }
 
-/// A client of the stream: what was sent, and what is to be sent next.
+/// A client of the stream: the sent events, and the ones to send next.
 struct Follower {
     seen: watch::Receiver<Arc<Seen>>,
     stop: CancellationToken,
@@ -108,10 +108,10 @@ struct Follower {
     _place: [Option<Taken>; 2],
 }
 
-/// What follows the `seq` in the id of the last event.
+/// Suffix of the `seq` in the id of the last event.
 const DONE: &str = "-done";
 
-/// The `seq` in the id of an event, and whether it is that of the last event.
+/// The `seq` in the id of an event, and whether it is the id of the last event.
 pub(in crate::http) fn parse_id(text: &str) -> Option<(u64, bool)> {
     let text = text.trim();
     let (seq, is_done) = text.strip_suffix(DONE).map_or((text, false), |seq| (seq, true));

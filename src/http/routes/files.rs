@@ -26,7 +26,7 @@ const PARTS: [ResultPart; 9] = [
     ResultPart::Report,
 ];
 
-/// The part and the format of a file name, such as `warped.ply`.
+/// The part and the format in a file name, such as `warped.ply`.
 fn parse(name: &str) -> Option<(ResultPart, PartFormat)> {
     let (part, format) = name.split_once('.')?;
     let part = PARTS.into_iter().find(|one| one.name() == part)?;

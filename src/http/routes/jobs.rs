@@ -86,7 +86,7 @@ pub(crate) async fn submit(
         Err(problem) => Err(problem),
     };
     let taken = tap.settle(taken).await?;
-    // What the body took is free again before the wait for the job.
+    // The slot and the memory of the body are free again before the wait for the job.
     drop(tap);
     match taken {
         Taken::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
@@ -117,7 +117,7 @@ async fn take(
 ) -> Result<Taken, Problem> {
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(&tenant).await?;
-    // Until the job is stored the submission is in memory, and counted.
+    // The submission stays in memory, and is counted, until the job is stored.
     state.begin_reading(tap, &tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
     let reading = submission::read(request, tap, &state.limits, state.service.limits());
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
@@ -154,7 +154,7 @@ async fn after_wait(
         ended = tokio::time::timeout(wait, ended) => ended.is_ok(),
         () = state.stop.cancelled() => false,
     };
-    // Whose key was revoked during the wait learns what an answer without one would have said.
+    // If the key was revoked during the wait, the answer reveals only what an answer without waiting would have said.
     let mut response = if ended && rights.ask(Scope::Submit).await.is_ok() {
         let job = state.service.get(tenant, made.id).await?;
         let document = JobDocument::from(&job);
@@ -247,7 +247,8 @@ pub(in crate::http) fn filter(query: &mut QueryString) -> JobFilter {
     filter
 }
 
-/// The name and the value of a label in a query: `name:value`, with `\:` for a colon in the name and `\\` for a backslash.
+/// The name and the value of a label in a query: `name:value`, with `\:` for a colon in the name and `\\` for a
+/// backslash.
 fn label_of(text: &str) -> Option<(String, String)> {
     let mut name = String::new();
     let mut characters = text.chars();
@@ -398,8 +399,8 @@ impl Resource for WatchedJob<'_> {
     }
 }
 
-/// What of a job counts as a change. Progress: whole percent, and the phase. State: all else but the estimates, the queue
-/// position, which every job ahead of it changes, and the details of progress.
+/// The version of a job. Progress: whole percent, and the phase. State: all other members except the estimates, the
+/// queue position, which every job ahead changes, and the details of progress.
 fn version(mut document: JobDocument) -> Result<Version, Problem> {
     let progress = document.progress.take().map(|p| ((p.fraction * 100.0).floor() as u32, p.phase));
     document.eta_ms = None;

@@ -112,7 +112,7 @@ impl KeyDocument {
     }
 }
 
-/// The id of a key in a path; 404 for what cannot be one.
+/// The id of a key in a path; 404 for a text that cannot be an id.
 fn key_id(id: &str) -> Result<&str, Problem> {
     if SecretKey::is_id(id) { Ok(id) } else { Err(Problem::new(ProblemKind::KeyNotFound)) }
 }
@@ -154,21 +154,21 @@ pub(crate) async fn create(
         let detail = format!("a tenant can have at most {MAX_KEYS} valid keys");
         return Err(Problem::new(ProblemKind::TooManyKeys).detail(detail));
     };
-    // The only answer with a secret: no cache may keep it.
+    // The only answer that contains a secret: no cache may keep it.
     let headers =
         [(header::LOCATION, format!("/v1/keys/{}", key.id())), (header::CACHE_CONTROL, "no-store".to_owned())];
     Ok((StatusCode::CREATED, headers, Json(KeyDocument::of(stored, Some(&key)))).into_response())
 }
 
-/// The place in the list that a `page_token` names.
+/// The position in the list that a `page_token` names.
 pub(in crate::http) fn cursor(token: &str) -> Option<(i64, String)> {
     let (time, id) = token.split_once('.')?;
     let (time, id) = (i64::from_str_radix(time, 16).ok()?, key_id(id).ok()?.to_owned());
-    // A place has one token.
+    // A position has exactly one token.
     (token_of(time, &id) == token).then_some((time, id))
 }
 
-/// The `page_token` of a place in the list.
+/// The `page_token` of a position in the list.
 pub(in crate::http) fn token_of(time: i64, id: &str) -> String {
     format!("{time:x}.{id}")
 }

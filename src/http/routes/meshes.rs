@@ -184,20 +184,20 @@ async fn store_form(state: &HttpState, tenant: &Tenant, request: Request, tap: &
     Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]))
 }
 
-/// The hash in the id of a path; 404 for what cannot be an id.
+/// The hash in the id of a path; 404 for a text that cannot be an id.
 fn hash(id: &str) -> Result<&str, Problem> {
     hash_of_id(id).ok_or_else(|| Problem::new(ProblemKind::MeshNotFound))
 }
 
-/// The place in the list that a `page_token` names.
+/// The position in the list that a `page_token` names.
 pub(in crate::http) fn cursor(token: &str) -> Option<(i64, String)> {
     let (time, hash) = token.split_once('.')?;
     let (time, hash) = (i64::from_str_radix(time, 16).ok()?, hash_of_id(&content_id(hash))?.to_owned());
-    // A place has one token.
+    // A position has exactly one token.
     (token_of(time, &hash) == token).then_some((time, hash))
 }
 
-/// The `page_token` of a place in the list.
+/// The `page_token` of a position in the list.
 pub(in crate::http) fn token_of(time: i64, hash: &str) -> String {
     format!("{time:x}.{hash}")
 }
@@ -257,7 +257,7 @@ pub(crate) async fn get(
 ) -> Result<Response, Problem> {
     query.finish()?;
     let mesh = state.service.mesh(&tenant, hash(&id)?).await?;
-    // Neither the bytes nor their inspection with default parameters ever change within a version.
+    // Neither the bytes nor their inspection with default parameters change within a version.
     let etag = format!("\"{}-{}\"", &mesh.key.hash()[..32], env!("CARGO_PKG_VERSION"));
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
@@ -267,10 +267,10 @@ pub(crate) async fn get(
     Ok(respond(&headers, &etag, "application/json", body))
 }
 
-/// Bytes at the beginning of a file that tell whether it is compressed.
+/// Number of bytes at the beginning of a file that show whether it is compressed.
 const BEGINNING: u64 = 4;
 
-/// Whether a file that begins so is compressed: gzip, zip or zstd.
+/// Whether a file with these first bytes is compressed: gzip, zip or zstd.
 async fn is_compressed(beginning: BlobStream) -> Result<bool, Problem> {
     let bytes = beginning.try_collect::<Vec<_>>().await?.concat();
     Ok([&[0x1f, 0x8b][..], b"PK", &[0x28, 0xb5, 0x2f, 0xfd]].iter().any(|magic| bytes.starts_with(magic)))
@@ -309,7 +309,7 @@ pub(crate) async fn content(
     };
     let stream = if with_body { Some(state.service.open_mesh(&mesh, range.clone()).await?) } else { None };
     let mut response = streamed(&headers, &etag, "application/octet-stream", mesh.n_bytes, range.as_ref(), stream);
-    // Whoever accepts no compression is spared the look.
+    // Checked only for clients that accept compression.
     if range.is_none() && headers.contains_key(header::ACCEPT_ENCODING) {
         let beginning = state.service.open_mesh(&mesh, Some(0..mesh.n_bytes.min(BEGINNING))).await?;
         response.extensions_mut().insert(Gains(!is_compressed(beginning).await?));

@@ -1,4 +1,4 @@
-//! The handlers, a file a resource.
+//! The handlers, one file for each resource.
 
 pub(crate) mod batches;
 pub(crate) mod changes;
@@ -31,14 +31,14 @@ use crate::jobs::{BatchId, JobId, StudyId, Tenant};
 use axum::extract::Request;
 use serde::de::DeserializeOwned;
 
-/// Entries of a page, unless asked for otherwise.
+/// Entries of a page by default.
 const DEFAULT_PAGE: u32 = 50;
 /// Most entries of a page.
 const MAX_PAGE: u32 = 500;
 /// Largest body of a request with a small document, bytes.
 const MAX_SMALL_BODY: usize = 64 << 10;
 
-/// The job that a path names; what cannot be an id names none.
+/// The job that a path names; a text that cannot be an id names none.
 fn job_id(text: &str) -> Result<JobId, Problem> {
     JobId::parse(text).ok_or_else(|| Problem::new(ProblemKind::JobNotFound))
 }
@@ -64,7 +64,7 @@ fn page(query: &mut QueryString) -> (u32, Option<Cursor>) {
     (size, after)
 }
 
-/// The document in the JSON body of a request that has no large ones and no query.
+/// The document in the JSON body of a request that is small and has no query.
 async fn small_json<T: DeserializeOwned>(
     state: &HttpState,
     tenant: &Tenant,

@@ -52,8 +52,8 @@ pub(crate) async fn result(
     if is_fresh(&headers, &etag) {
         return Ok(not_modified(&etag));
     }
-    // Stored JSON objects are joined as text, so that every number keeps its digits. The correspondences, which are by far
-    // the largest part, are sent as they are read.
+    // Stored JSON objects are joined as text, so that every number keeps its digits. The correspondences, by far the
+    // largest part, are streamed.
     let stored = state.service.read(&document).await?;
     let mut head = stored.strip_suffix(b"}").ok_or_else(unreadable)?.to_vec();
     let mut tail = b",\"links\":".to_vec();
@@ -126,7 +126,7 @@ pub(crate) async fn correspondences(
     answer(&state, &tenant, job_id(&id)?, ResultPart::Correspondences { direction }, asking, query).await
 }
 
-/// `?direction=`: from source to target unless the query says otherwise.
+/// `?direction=`; the default is from source to target.
 pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
     let both = [WarpDirection::Forward, WarpDirection::Inverse].map(|direction| (direction.name(), direction));
     query.word("direction", &both).unwrap_or(WarpDirection::Forward)

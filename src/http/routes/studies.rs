@@ -1,4 +1,4 @@
-//! `/v1/studies`: what a group of subjects shows.
+//! `/v1/studies`: studies of groups of subjects.
 
 use super::{page, study_id};
 use crate::http::auth::{Reader, Submitter};
@@ -25,7 +25,7 @@ use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::de::DeserializeOwned;
 
-/// Longest id of a subject, bytes: it names files.
+/// Longest id of a subject, bytes; file names contain the id.
 const MAX_ID: usize = 200;
 /// Subjects in the document of a study; the list of its subjects has the others.
 const SHOWN_SUBJECTS: usize = 500;
@@ -239,15 +239,15 @@ pub(crate) async fn get(
 
 const JSON: [(header::HeaderName, &str); 1] = [(header::CONTENT_TYPE, "application/json")];
 
-/// An answer of JSON whose memory is counted until it is sent.
+/// A JSON answer whose memory is counted until it is sent.
 pub(super) fn counted(json: Vec<u8>, memory: Taken) -> Response {
     (JSON, Body::new(Counted::new(json.into(), memory))).into_response()
 }
 
-/// What a change of a definition takes of memory for each byte that is stored of it: names, numbers and texts of covariates have
-/// places of their own, and a change holds it twice.
+/// Memory of a change to a definition for each stored byte: names, numbers and texts of covariates are separate
+/// allocations, and a change holds the definition twice.
 pub(super) const CHANGE_MEMORY: u64 = 64;
-/// What a page of its subjects takes: the stored bytes, the decisions and the page.
+/// Memory of a page of subjects for each stored byte: the stored bytes, the decisions and the page.
 pub(super) const OUTLINE_MEMORY: u64 = 4;
 
 /// Memory for reading the definition of a study, `factor` times its stored size, taken before it is read.
@@ -409,7 +409,7 @@ pub(crate) async fn archive(
     Ok(response)
 }
 
-/// A part of the result of a study, as it is stored; or a range of it.
+/// A part of a study's result in its stored form, or a range of it.
 async fn part(
     state: &HttpState,
     tenant: &Tenant,

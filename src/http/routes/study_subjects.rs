@@ -1,4 +1,4 @@
-//! `/v1/studies/{id}/subjects`: who is in a study, and what was decided about them.
+//! `/v1/studies/{id}/subjects`: the subjects of a study, and the decisions about them.
 
 use super::studies::{CHANGE_MEMORY, OUTLINE_MEMORY, accepted, body, checked, counted, definition_memory};
 use super::{DEFAULT_PAGE, MAX_PAGE, small_json, study_id};
@@ -61,12 +61,12 @@ pub(crate) async fn list(
     Ok(counted(serde_json::to_vec(&page).map_err(|error| Problem::internal(&error))?, memory))
 }
 
-/// The token of a page that begins at a place. Subjects are only ever added at the end, so that a place keeps its subject.
+/// The token of a page that begins at a position. Subjects are only added at the end, so a position keeps its subject.
 fn token_of(place: usize) -> String {
     format!("{place:x}.subject")
 }
 
-/// The place at which the page of a token begins; no other spelling of it was ever issued.
+/// The position at which the page of a token begins; only the issued spelling is accepted.
 fn place_of(token: &str) -> Option<usize> {
     let place = usize::from_str_radix(token.strip_suffix(".subject")?, 16).ok()?;
     (token_of(place) == token).then_some(place)

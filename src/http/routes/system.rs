@@ -44,7 +44,7 @@ pub(crate) async fn readyz(State(state): State<HttpState>) -> Response {
         };
         dependencies.insert(name.to_owned(), word.to_owned());
     }
-    // No reason to send clients elsewhere: what is kept is kept longer, and no deadline counts.
+    // A jumped clock does not make the service unready: results are kept longer, and no deadline counts.
     let clock = if state.service.has_clock_jumped() { "jumped" } else { "ok" };
     dependencies.insert("clock".to_owned(), clock.to_owned());
     if ready {
@@ -71,7 +71,7 @@ pub(crate) async fn metrics(State(state): State<HttpState>) -> Response {
             metrics::gauge!("homolog_queue_oldest_age_seconds").set(load.oldest_queued.as_secs_f64());
             metrics::gauge!("homolog_job_store_up").set(1.0);
         }
-        // The metrics of the process itself are needed all the more while the store does not respond.
+        // The metrics of the process itself are needed most while the store does not respond.
         Err(_) => metrics::gauge!("homolog_job_store_up").set(0.0),
     }
     let text = (state.metrics)();
@@ -84,7 +84,7 @@ pub(crate) async fn metrics(State(state): State<HttpState>) -> Response {
     responses((status = 200, description = "OpenAPI 3.1", content_type = "application/json", body = Object))
 )]
 pub(crate) async fn openapi_json() -> Result<Response, Problem> {
-    // It never changes while the program runs, and takes far longer to generate than to send.
+    // The document never changes while the program runs, and generating it takes far longer than sending it.
     static DOCUMENT: OnceLock<String> = OnceLock::new();
     let text = match DOCUMENT.get() {
         Some(made) => made,

@@ -19,7 +19,7 @@ use std::convert::Infallible;
 use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
 
-/// Changes that are read from the store at once.
+/// Changes read from the store at once.
 const PAGE: u32 = 500;
 
 /// Follow all jobs
@@ -75,7 +75,7 @@ pub(crate) async fn events(
 struct Follower {
     service: Arc<JobService>,
     tenant: Tenant,
-    /// Number of the last change that was sent.
+    /// Number of the last sent change.
     since: u64,
     rights: Rights,
     stop: CancellationToken,
@@ -99,13 +99,13 @@ impl Follower {
             if !self.rights.last().await {
                 return None;
             }
-            // An answer that has begun cannot become an error: a client that reconnects is told what is wrong.
+            // An answer that has begun cannot become an error: the client reconnects and then gets the error.
             let page = self.service.changes(&self.tenant, self.since, PAGE).await.ok()?;
             if page.changes.is_empty() {
                 let feed = self.service.follow_changes(&self.tenant, self.since);
                 let mut seen = feed.seen();
                 tokio::select! {
-                    // An error says that the reader has ended; then the store is asked.
+                    // An error means that the reader has ended; the store is then read.
                     _ = seen.wait_for(|has_changes| **has_changes) => {}
                     () = self.rights.due() => {}
                     () = self.stop.cancelled() => return None,

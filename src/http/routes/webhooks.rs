@@ -172,7 +172,7 @@ impl From<Delivery> for DeliveryDocument {
     }
 }
 
-/// The id of a webhook in a path; 404 for what cannot be one.
+/// The id of a webhook in a path; 404 for a text that cannot be an id.
 fn webhook_id(id: &str) -> Result<&str, Problem> {
     let is_id = id.len() == 36 && uuid::Uuid::try_parse(id).is_ok();
     if is_id { Ok(id) } else { Err(Problem::new(ProblemKind::WebhookNotFound)) }

@@ -17,12 +17,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Bytes that are written to find out whether there is room.
+/// Bytes written to test whether the disk has room.
 const TRIED_BYTES: usize = 64 << 10;
-/// What a reader of a blob has in memory, bytes.
+/// Memory of a reader of a blob, bytes.
 const PIECE: u64 = 256 << 10;
 
-/// Age at which a temporary file is removed: no write takes this long, so its process has ended.
+/// Age at which a temporary file is removed: no write takes this long, so the process that wrote it has ended.
 const STALE: Duration = Duration::from_secs(3600);
 
 /// A folder of blobs.
@@ -46,7 +46,7 @@ impl FolderArtifacts {
         Ok(store)
     }
 
-    /// The blobs under `data_dir`, to be read alone: nothing is created.
+    /// The blobs under `data_dir`, for reading only: nothing is created.
     pub(in crate::store) fn of_blobs(data_dir: &Path) -> Self {
         FolderArtifacts { blobs: data_dir.join("blobs"), temporary: data_dir.join("incoming") }
     }
@@ -62,7 +62,7 @@ impl FolderArtifacts {
         let parent = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
         private_files::create_dir_all(parent)?;
         fs::rename(temporary, path)?;
-        // The folder of the blob and those above it, any of which may be new, up to the root of the blobs.
+        // The blob's folder and its ancestors up to the root of the blobs, any of which may be new.
         for folder in parent.ancestors().take_while(|folder| folder.starts_with(&self.blobs)) {
             sync_folder(folder)?;
         }
@@ -152,14 +152,14 @@ impl ArtifactStore for FolderArtifacts {
         let (blobs, temporary) = (self.blobs.clone(), self.temporary.join(uuid::Uuid::new_v4().to_string()));
         blocking(move || {
             fs::metadata(blobs)?;
-            // Reading says nothing about a full disk.
+            // A read would not show that the disk is full.
             let written = private_files::create_new(&temporary).and_then(|mut file| {
                 file.write_all(&[1; TRIED_BYTES])?;
                 file.sync_data()
             });
             let _ = fs::remove_file(&temporary);
             written?;
-            // Until there is room for it again, there is too little for submissions.
+            // Without room for the reserve, there is too little room for submissions.
             temporary.parent().and_then(Path::parent).map_or(Ok(()), reserve::keep)
         })
         .await

@@ -5,7 +5,7 @@ mod pieces;
 pub mod s3;
 pub mod sealed;
 
-/// What is said of a blob that the store does not hold.
+/// Message about a blob that the store does not hold.
 const NOT_THERE: &str = "a blob that is not there";
 
 pub use folder::FolderArtifacts;

@@ -5,13 +5,13 @@ use bytes::Bytes;
 use futures_util::StreamExt as _;
 use std::ops::Range;
 
-/// What is left to be read.
+/// The rest of a blob that is being read.
 struct Rest<F> {
     read: F,
     left: Range<u64>,
     piece: u64,
     hasher: blake3::Hasher,
-    /// The hash that the content must have, if it is read whole.
+    /// The expected hash of the content, if the whole blob is read.
     hash: Option<String>,
 }
 
@@ -41,8 +41,8 @@ where
     }
 }
 
-/// The blob under `key`, or a range of it, read by `read` in pieces of at most `piece` bytes. The first one is read at once, so
-/// that a blob that cannot be read is an error and not a stream that breaks off.
+/// The blob under `key`, or a range of it, read by `read` in pieces of at most `piece` bytes. The first piece is read
+/// at once, so that an unreadable blob is an error and not a stream that breaks off.
 pub(super) async fn in_pieces<F, R>(
     key: &ArtifactKey,
     n_bytes: u64,

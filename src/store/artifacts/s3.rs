@@ -25,11 +25,11 @@ const REQUEST: Duration = Duration::from_secs(30);
 const CONNECT: Duration = Duration::from_secs(5);
 /// How long failing requests are retried; callers retry for longer where they need to.
 const RETRY: Duration = Duration::from_secs(10);
-/// What a reader of a blob has in memory, bytes.
+/// Memory of a reader of a blob, bytes.
 const PIECE: u64 = 1 << 20;
 /// Size of the parts of a multipart upload; S3 requires at least 5 MiB.
 const PART: usize = 8 << 20;
-/// Age at which an object in `incoming/` is removed: no upload takes this long, so its process has ended.
+/// Age at which an object in `incoming/` is removed: no upload takes this long, so the process that wrote it has ended.
 const STALE: Duration = Duration::from_secs(24 * 3600);
 
 /// An S3-compatible store of blobs.
@@ -52,7 +52,7 @@ impl S3Artifacts {
         )
     }
 
-    /// The same, with the given variables instead of the environment.
+    /// As [`S3Artifacts::open`], with the given variables instead of the environment.
     ///
     /// # Errors
     /// As for [`S3Artifacts::open`].
@@ -103,7 +103,7 @@ fn domain_error(error: object_store::Error) -> JobError {
 impl ArtifactStore for S3Artifacts {
     async fn ping(&self) -> Result<(), JobError> {
         match self.client.head(&Path::from(format!("{}/.homolog", self.prefix))).await {
-            // Reading says nothing about a bucket whose quota is used up.
+            // A read would not show that the bucket's quota is used up.
             Ok(_) | Err(object_store::Error::NotFound { .. }) => self.space.check(),
             Err(error) => Err(domain_error(error)),
         }
@@ -128,7 +128,8 @@ impl ArtifactStore for S3Artifacts {
     }
 
     async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
-        // One request for each piece: a request has a time limit, which a slow reader of the whole would exceed.
+        // Each piece has its own request: requests have a time limit, which a slow reader of the whole blob would
+        // exceed.
         let (client, path) = (Arc::clone(&self.client), self.path(key));
         in_pieces(key, n_bytes, range, PIECE, move |range| {
             let (client, path) = (Arc::clone(&client), path.clone());
@@ -164,7 +165,7 @@ impl StoredBlobs for S3Artifacts {
     }
 }
 
-/// A blob that is uploaded in parts; a small one stays in memory until its name is known.
+/// A blob that is uploaded in parts; a small blob stays in memory until its name is known.
 struct S3Writer {
     store: S3Artifacts,
     incoming: Path,
@@ -206,7 +207,7 @@ impl ArtifactWriter for S3Writer {
         }
         self.upload = None;
         let copied = self.store.client.copy(&self.incoming, &self.store.path(key)).await.map_err(domain_error);
-        let _ = self.store.client.delete(&self.incoming).await; // if this fails, the sweep removes it
+        let _ = self.store.client.delete(&self.incoming).await; // if this fails, the sweep removes the object
         self.store.space.noted(copied)
     }
 }
@@ -225,7 +226,7 @@ mod tests {
     use tokio::io::{AsyncReadExt as _, AsyncWriteExt as _};
     use tokio::net::TcpListener;
 
-    /// A store whose quota is used up: it can be read, and every write is refused.
+    /// A store whose quota is used up: it answers reads and refuses every write.
     async fn full_store() -> S3Artifacts {
         let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
         let endpoint = format!("http://{}", listener.local_addr().unwrap());
@@ -249,7 +250,7 @@ mod tests {
                         "HTTP/1.1 404 Not Found\r\ncontent-length: 0\r\nconnection: close\r\n\r\n".to_owned()
                     };
                     let _ = stream.write_all(answer.as_bytes()).await;
-                    // The rest of the request is read, so that the answer is not lost.
+                    // Reads the rest of the request, so that the answer is not lost.
                     while let Ok(1..) = stream.read(&mut part).await {}
                 });
             }

@@ -1,10 +1,11 @@
 //! Blobs that are encrypted before they reach a folder or an S3-compatible store.
 //!
-//! A stored blob is [`MAGIC`], chunks of [`CHUNK`] bytes, each with a tag of [`TAG`] bytes, and a footer: the key of this blob, encrypted
-//! with a key-encryption key for its address and size. Chunks are encrypted with AES-256-GCM; the nonce is the number of the chunk
-//! and whether it is the last (the STREAM construction of Hoang, Reyhanitabar, Rogaway and Vizár, CRYPTO 2015), so that chunks
-//! can neither be exchanged nor cut off, and a range is read by decrypting the chunks that it touches. A blob that was stored before
-//! encryption was set up is read as it is, and always compared with its hash.
+//! A stored blob consists of [`MAGIC`], chunks of [`CHUNK`] bytes, each with a tag of [`TAG`] bytes, and a footer: the
+//! blob's own key, encrypted with a key-encryption key for the blob's address and size. Chunks are encrypted with
+//! AES-256-GCM. The nonce contains the number of the chunk and whether it is the last (the STREAM construction of
+//! Hoang, Reyhanitabar, Rogaway and Vizár, CRYPTO 2015), so chunks can neither be exchanged nor cut off, and reading a
+//! range decrypts only the chunks that it touches. Unencrypted blobs, stored before encryption was set up, are read as
+//! they are and always compared with their hashes.
 
 use super::pieces::in_pieces;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
@@ -16,7 +17,7 @@ use ring::aead::{Aad, LessSafeKey, Nonce};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// What an encrypted blob begins with.
+/// First bytes of an encrypted blob.
 const MAGIC: &[u8; 16] = b"homolog sealed 1";
 /// Content of a chunk, bytes.
 const CHUNK: u64 = 64 << 10;
@@ -24,13 +25,13 @@ const CHUNK: u64 = 64 << 10;
 const TAG: u64 = 16;
 /// Length of the footer, bytes.
 pub(crate) const FOOTER: u64 = (32 + OVERHEAD) as u64;
-/// What a reader of a blob has in memory, bytes.
+/// Memory of a reader of a blob, bytes.
 const PIECE: u64 = 8 * CHUNK;
 
-/// A store whose content can be read as it is stored.
+/// A store whose stored bytes can be read unchanged.
 #[async_trait]
 pub trait StoredBlobs: ArtifactStore {
-    /// What is stored under `key`, whether or not it has the hash in its address.
+    /// The bytes stored under `key`, even if they do not match the hash in the address.
     async fn stored(&self, key: &ArtifactKey) -> Result<Bytes, JobError>;
 }
 
@@ -45,12 +46,12 @@ fn altered(what: &'static str) -> JobError {
     JobError::Corrupt { what, source: None }
 }
 
-/// Number of chunks of a blob of `n_bytes`: an empty one has one too, which shows that it is empty.
+/// Number of chunks of a blob of `n_bytes`. An empty blob has one chunk, which proves that it is empty.
 fn n_chunks(n_bytes: u64) -> u64 {
     n_bytes.div_ceil(CHUNK).max(1)
 }
 
-/// Size of an encrypted blob with `n_bytes` of content; `None` if there is none so large.
+/// Size of an encrypted blob with `n_bytes` of content; `None` if it is not representable.
 pub(crate) fn sealed_size(n_bytes: u64) -> Option<u64> {
     n_bytes.checked_add(n_chunks(n_bytes).checked_mul(TAG)?)?.checked_add(MAGIC.len() as u64 + FOOTER)
 }
@@ -60,7 +61,7 @@ pub(crate) fn is_sealed_blob(first: &[u8]) -> bool {
     first.starts_with(MAGIC)
 }
 
-/// Where an encrypted chunk begins.
+/// Offset of an encrypted chunk.
 fn offset(chunk: u64) -> u64 {
     MAGIC.len() as u64 + chunk * (CHUNK + TAG)
 }
@@ -73,7 +74,7 @@ fn nonce(chunk: u64, is_last: bool) -> Nonce {
     Nonce::assume_unique_for_key(nonce)
 }
 
-/// What the footer of a blob is bound to.
+/// The associated data of a blob's footer.
 fn owner(key: &ArtifactKey, n_bytes: u64) -> Vec<u8> {
     format!("blob\n{}\n{}\n{n_bytes}", key.tenant.name(), key.path()).into_bytes()
 }
@@ -106,7 +107,7 @@ impl SealedArtifacts {
     /// The footer of a blob; `None` if it is not encrypted.
     async fn footer(&self, key: &ArtifactKey, n_bytes: u64) -> Result<Option<Bytes>, JobError> {
         let magic = MAGIC.len() as u64;
-        // So little that it may end before the magic would.
+        // The blob is shorter than the magic.
         let first = match n_bytes < magic {
             true => self.inner.stored(key).await?,
             false => self.stored_range(key, 0..magic).await?,
@@ -129,7 +130,7 @@ impl SealedArtifacts {
         content_cipher(&self.content_key(key, n_bytes, footer)?).ok_or_else(|| altered("the key of an encrypted blob"))
     }
 
-    /// What [`SealedArtifacts::reseal`] would do.
+    /// The outcome that [`SealedArtifacts::reseal`] would have.
     pub(in crate::store) async fn is_current(&self, key: &ArtifactKey, n_bytes: u64) -> Result<Resealed, JobError> {
         Ok(match self.footer(key, n_bytes).await? {
             None => Resealed::Encrypted,
@@ -138,8 +139,8 @@ impl SealedArtifacts {
         })
     }
 
-    /// Encrypts the key of a blob with the current key, or the blob if it is not encrypted yet. It is written anew beside the old
-    /// one, which is replaced when it is complete.
+    /// Encrypts the key of a blob with the current key, or the whole blob if it is not encrypted yet. The new blob is
+    /// written beside the old one and replaces it when complete.
     pub(in crate::store) async fn reseal(&self, key: &ArtifactKey, n_bytes: u64) -> Result<Resealed, JobError> {
         let done = self.is_current(key, n_bytes).await?;
         match (done, self.footer(key, n_bytes).await?) {
@@ -169,7 +170,7 @@ impl SealedArtifacts {
         Ok(done)
     }
 
-    /// The footer of a blob with this key of its own.
+    /// The footer of a blob with this content key.
     fn sealed_key(&self, key: &ArtifactKey, n_bytes: u64, content_key: &[u8]) -> Result<Bytes, JobError> {
         let sealed = self.keyring.seal(&owner(key, n_bytes), content_key);
         sealed.map(Bytes::from).ok_or_else(|| altered("a key that cannot be encrypted"))
@@ -188,14 +189,14 @@ struct SealedWriter {
     inner: Box<dyn ArtifactWriter>,
     content_key: [u8; 32],
     cipher: LessSafeKey,
-    /// Content that is not encrypted yet: at most one chunk between calls, because the last one is marked.
+    /// Content that is not encrypted yet: at most one chunk between calls, because the last chunk is marked as such.
     waiting: BytesMut,
     chunk: u64,
     n_bytes: u64,
 }
 
 impl SealedWriter {
-    /// Encrypts the chunks that are complete and not the last, or all.
+    /// Encrypts the complete chunks except the last one; at the end, all.
     fn encrypted(&mut self, is_end: bool) -> Result<BytesMut, JobError> {
         let mut out = BytesMut::new();
         if self.chunk == 0 {
@@ -239,7 +240,7 @@ impl ArtifactWriter for SealedWriter {
     }
 }
 
-/// Collects what a [`SealedWriter`] writes.
+/// Collects the output of a [`SealedWriter`].
 #[derive(Default)]
 struct Collected(Arc<std::sync::Mutex<BytesMut>>);
 
@@ -296,7 +297,8 @@ impl ArtifactStore for SealedArtifacts {
     async fn open(&self, key: &ArtifactKey, n_bytes: u64, range: Option<Range<u64>>) -> Result<BlobStream, JobError> {
         let Some(footer) = self.footer(key, n_bytes).await? else {
             if range.is_some() {
-                // A range of it cannot be verified by itself, and an encrypted blob whose first bytes were changed looks like this.
+                // A range cannot be verified by itself, and an encrypted blob whose first bytes were changed looks like
+                // an unencrypted one.
                 let mut whole = self.inner.open(key, n_bytes, None).await?;
                 while whole.try_next().await?.is_some() {}
             }
@@ -430,13 +432,13 @@ mod tests {
             assert!(store.get(&key).await.is_err(), "byte {at}");
             assert!(read(&store, &key, n, None).await.is_err(), "byte {at}");
             let range = match at.saturating_sub(16) / chunk {
-                // A fault of the beginning or of the key spoils every range.
+                // A fault in the magic or in the footer makes every range unreadable.
                 _ if !(16..stored.len() - 68).contains(&at) => 70_000..70_001,
                 index => index as u64 * CHUNK..index as u64 * CHUNK + 1,
             };
             assert!(read(&store, &key, n, Some(range)).await.is_err(), "byte {at}");
         }
-        // Cut off, exchanged, or another blob's.
+        // The blob is cut off, its chunks are exchanged, or it is another blob.
         fs::write(f.file(&key), &stored[..stored.len() - chunk]).unwrap();
         assert!(store.get(&key).await.is_err() && read(&store, &key, n, Some(0..1)).await.is_err());
         let mut exchanged = stored.clone();

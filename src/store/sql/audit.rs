@@ -1,4 +1,4 @@
-//! The audit log: appended row by row in one chain, whatever process writes.
+//! The audit log: one chain to which all processes append row by row.
 
 use super::SqlStore;
 use super::database::{Row, Session, bind};
@@ -10,7 +10,7 @@ use jiff::Timestamp;
 /// Rows pruned in one transaction.
 const PRUNED_AT_ONCE: u32 = 5_000;
 
-/// A time in ms as it stands in the log: always with milliseconds.
+/// A time in ms in the form of the log, always with milliseconds.
 fn written(at_ms: i64) -> String {
     Timestamp::from_millisecond(at_ms).map_or_else(|_| at_ms.to_string(), |at| format!("{at:.3}"))
 }
@@ -19,7 +19,7 @@ fn head(row: &Row) -> Result<AuditHead, JobError> {
     Ok(AuditHead { position: row.get::<i64>("position")?.unsigned_abs(), hash: row.get("hash")? })
 }
 
-/// Whatever is stored is returned, so that verification can judge it.
+/// Returns whatever is stored, so that verification can judge it.
 fn audit_row(row: &Row) -> Result<AuditRow, JobError> {
     Ok(AuditRow {
         position: row.get::<i64>("position")?.unsigned_abs(),
@@ -40,8 +40,8 @@ async fn insert_audit(session: &mut Session, row: &AuditRow, at_ms: i64) -> Resu
     session.execute(sql!("insert_audit"), arguments).await.map(|_| ())
 }
 
-/// Locks the end of the log until the commit, so that the next process continues from the last row of this one. Returns it with
-/// the time.
+/// Locks the end of the log until the commit, so that the next process continues from the last row of this one. Returns
+/// the last row and the time.
 async fn lock_audit_head(session: &mut Session) -> Result<(AuditHead, i64), JobError> {
     let locked = session.row(sql!("lock_audit_head"), bind![]).await?;
     let locked = locked.ok_or(JobError::Corrupt { what: "the end of the audit log", source: None })?;
@@ -83,11 +83,11 @@ impl SqlStore {
         head(&row.ok_or(JobError::Corrupt { what: "the beginning of the audit log", source: None })?)
     }
 
-    /// Removes the rows before a time, but never the last one, and records up to which row. Returns that row and the number of
-    /// removed ones.
+    /// Removes the rows before a time, but never the last row, and records the last removed row. Returns that row and
+    /// the number of removed rows.
     ///
     /// # Errors
-    /// [`JobError::Unavailable`]; the next call removes what is left.
+    /// [`JobError::Unavailable`]; the next call removes the rest.
     pub(crate) async fn prune_audit(&self, before: Timestamp) -> Result<(AuditHead, u64), JobError> {
         self.database
             .transaction(async |session| {

@@ -67,8 +67,8 @@ async fn mark_unreferenced(session: &mut Session) -> Result<(usize, Vec<(Artifac
     let mut unreferenced = Vec::new();
     for row in &candidates {
         let (tenant, path): (String, String) = (row.get("tenant")?, row.get("path")?);
-        // Checked after the row was locked: every transaction that added a reference before has committed. A blob that
-        // is held becomes a candidate again when the hold is released.
+        // Checked after the row was locked: every transaction that has added a reference has committed by then. A held
+        // blob becomes a candidate again when the hold is released.
         if session.value(sql!("blob_is_needed"), bind![&tenant, &path]).await? == Some(true) {
             session.execute(sql!("keep_blob"), bind![&tenant, &path]).await?;
             continue;
@@ -116,7 +116,7 @@ impl BlobHolds for SqlStore {
     async fn remove_unreferenced_blobs(&self, artifacts: &dyn ArtifactStore) -> Result<u32, JobError> {
         let mut removed = 0;
         loop {
-            // Checked without a lock first: usually there is nothing to do.
+            // Checked without a lock first, because usually there is nothing to do.
             let work: Option<bool> = self.database.reader().await?.value(sql!("has_candidates"), bind![]).await?;
             if work != Some(true) {
                 return Ok(removed);
@@ -131,7 +131,7 @@ impl BlobHolds for SqlStore {
                 removed += 1;
             }
             if n_seen < REMOVALS_AT_ONCE as usize {
-                return Ok(removed); // the rest is held or being removed by others, and is looked at again later
+                return Ok(removed); // the rest is held or being removed by other processes, and is checked again later
             }
         }
     }

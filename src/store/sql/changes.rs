@@ -1,9 +1,9 @@
 //! The feed of state changes.
 //!
-//! Triggers insert the rows, in the transactions that change a state. The rows are numbered afterwards, one after the
-//! other under a lock, and only once they are committed; so a reader who has seen number `n` has seen everything that
-//! will ever have a smaller number. Numbers assigned by the inserting transactions would not guarantee that, because
-//! those commit in any order. Each tenant has numbers of its own.
+//! Triggers insert the rows, in the transactions that change a state. Committed rows are numbered afterwards, one after
+//! the other under a lock, so a reader who has seen number `n` has seen every row that will ever have a smaller number.
+//! Numbers assigned by the inserting transactions would not guarantee this, because those commit in any order. Each
+//! tenant has its own numbers.
 
 use super::database::{Database, Session, bind};
 use super::dialect::sql;
@@ -14,7 +14,7 @@ use crate::jobs::{ChangePage, JobError, Tenant};
 /// Numbers the changes that are committed and have no number yet.
 pub(super) async fn number_changes(database: &Database) -> Result<(), JobError> {
     loop {
-        // Checked without a lock first: usually there is nothing to number.
+        // Checked without a lock first, because usually there is nothing to number.
         let waiting: Option<bool> = database.reader().await?.value(sql!("has_unnumbered_changes"), bind![]).await?;
         if waiting != Some(true) {
             return Ok(());
@@ -31,8 +31,8 @@ pub(super) async fn number_changes(database: &Database) -> Result<(), JobError> 
     }
 }
 
-/// Numbers the changes of each tenant, which have their place among all changes already. Their numbers have no gaps, which
-/// would tell how much other tenants do.
+/// Numbers the changes of each tenant that already have a global number. The numbers of a tenant have no gaps, because
+/// gaps would reveal the activity of other tenants.
 async fn number_changes_of_tenants(session: &mut Session) -> Result<(), JobError> {
     let first: Option<Option<i64>> = session.value(sql!("first_unnumbered_change"), bind![]).await?;
     let Some(first) = first.flatten() else { return Ok(()) };

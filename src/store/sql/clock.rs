@@ -1,5 +1,5 @@
-//! The clock of the database, held against the last time that was seen: nobody's results are removed because a clock was set
-//! wrong, and no job is lost when it jumps.
+//! Compares the clock of the database with the last time that was seen, so that a clock that was set wrong removes no
+//! results, and a jump of the clock loses no job.
 
 use super::SqlStore;
 use super::database::{Session, bind};
@@ -9,39 +9,39 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How far a clock may be ahead of the last time that was seen, in a process that has looked at it before: it looks every minute,
-/// but a computer may sleep.
+/// How far the clock may be ahead of the last time that was seen, in a process that has seen it before: the process
+/// looks every minute, but a computer may sleep.
 const AHEAD: Duration = Duration::from_secs(24 * 3600);
-/// The same at the start of a process, since a service may have been off for weeks.
+/// As [`AHEAD`], at the start of a process: the service may have been off for weeks.
 const AHEAD_AT_START: Duration = Duration::from_secs(30 * 24 * 3600);
-/// How far it may be behind.
+/// How far the clock may be behind.
 const BEHIND: Duration = Duration::from_secs(24 * 3600);
-/// How much more or less than the time that has passed a clock may show without having been set.
+/// How much the movement of a clock may differ from the time that has passed, unless the clock was set.
 const STEP: Duration = Duration::from_secs(10);
 
-/// What a process knows of the clock.
+/// The state of the clock as a process knows it.
 #[derive(Debug, Default)]
 pub(super) struct Clock {
-    /// Whether this process has found it plausible before.
+    /// Whether this process has ever found the clock plausible.
     is_known: AtomicBool,
-    /// Whether it was not when it was last looked at.
+    /// Whether the clock was implausible at the last look.
     has_jumped: AtomicBool,
-    /// When it was last read, and what it showed, ms.
+    /// When the clock was last read, and its time, ms.
     last: Mutex<Option<(Instant, i64)>>,
 }
 
-/// Whether a clock that shows `present` may follow on `seen`, ms.
+/// Whether a clock that shows `present` may follow a time `seen`, ms.
 fn is_plausible(present: i64, seen: i64, ahead: Duration) -> bool {
     let moved = i128::from(present) - i128::from(seen);
     (-(BEHIND.as_millis() as i128)..=ahead.as_millis() as i128).contains(&moved)
 }
 
-/// Whether a clock was set while `passed` went by and it moved by `moved_ms`.
+/// Whether the clock was set, given that it moved by `moved_ms` while `passed` went by.
 fn is_set(passed: Duration, moved_ms: i64) -> bool {
     (i128::from(moved_ms) - passed.as_millis() as i128).unsigned_abs() > STEP.as_millis()
 }
 
-/// What the clock shows and what it showed when it was last found plausible, ms.
+/// The present time of the clock, and its time when it was last found plausible, ms.
 async fn clock(session: &mut Session) -> Result<(i64, Option<i64>), JobError> {
     let row = session.row(sql!("clock"), bind![]).await?;
     let row = row.ok_or(JobError::Corrupt { what: "a clock", source: None })?;
@@ -53,7 +53,7 @@ async fn note_clock(session: &mut Session) -> Result<(), JobError> {
 }
 
 impl SqlStore {
-    /// Holds the clock against the last time that was seen, and notes it if it is plausible or `trusted`.
+    /// Compares the clock with the last time that was seen, and notes the present time if it is plausible or `trusted`.
     pub(super) async fn look_at_clock(&self, trusted: bool) -> Result<ClockState, JobError> {
         let known = self.clock.is_known.load(Ordering::Relaxed);
         let ahead = if known { AHEAD } else { AHEAD_AT_START };
@@ -76,7 +76,7 @@ impl SqlStore {
         Ok(before.is_some_and(|(then, showed)| is_set(now - then, present.saturating_sub(showed))))
     }
 
-    /// Whether the clock had jumped when it was last looked at.
+    /// Whether the clock had jumped at the last look.
     pub(super) fn has_clock_jumped(&self) -> bool {
         self.clock.has_jumped.load(Ordering::Relaxed)
     }

@@ -131,7 +131,7 @@ impl Database {
         self.space().noted(in_transaction(link, begin, work).await)
     }
 
-    /// Shares what is remembered of refused writes with another pool of connections.
+    /// Shares the memory of refused writes with another connection pool.
     pub(super) fn share_space(&mut self, of: &Database) {
         let other = match of {
             Database::Sqlite { space, .. } | Database::Postgres { space, .. } => Arc::clone(space),
@@ -162,7 +162,7 @@ impl Database {
         in_transaction(link, begin, work).await
     }
 
-    /// A connection for single reads, each of which sees what is committed when it runs.
+    /// A connection for single reads, each of which sees the data committed when it runs.
     pub(super) async fn reader(&self) -> Result<Session, JobError> {
         let link = match self {
             Database::Sqlite { readers, .. } => Link::Sqlite(Some(readers.acquire().await.map_err(domain_error)?)),
@@ -183,13 +183,13 @@ impl Database {
         }
     }
 
-    /// Writes SQLite's write-ahead log back and empties it: it holds earlier versions of pages. `false` if a reader still
-    /// needs it. PostgreSQL's log is the server's.
+    /// Writes SQLite's write-ahead log, which holds earlier versions of pages, back and empties it. `false` if a reader
+    /// still needs it. PostgreSQL manages its own log.
     pub(super) async fn overwrite_deleted(&self) -> Result<bool, JobError> {
         let Database::Sqlite { writer, .. } = self else { return Ok(true) };
         let link = Link::Sqlite(Some(writer.acquire().await.map_err(domain_error)?));
         let mut session = Session { link, is_open: false, is_broken: false };
-        // Readers need milliseconds, but a backup minutes, for which no writer should wait.
+        // Readers need milliseconds, but a back-up takes minutes, for which no writer should wait.
         session.run(&format!("PRAGMA busy_timeout = {}", CHECKPOINT_TIMEOUT.as_millis())).await?;
         let done = session.fetch("PRAGMA wal_checkpoint(TRUNCATE)".to_owned(), Vec::new()).await;
         session.run(&format!("PRAGMA busy_timeout = {}", SQLITE_TIMEOUT.as_millis())).await?;
@@ -245,7 +245,7 @@ async fn in_transaction<T>(
 }
 
 async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
-    // Before SQLite creates the file; its log gets the permissions of the file.
+    // Created here before SQLite creates it; SQLite's log gets the permissions of this file.
     let file = folder.join(SQLITE_FILE);
     tokio::task::spawn_blocking(move || private_files::create(&file))
         .await
@@ -257,7 +257,7 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .journal_mode(SqliteJournalMode::Wal)
         .synchronous(SqliteSynchronous::Full)
         .foreign_keys(true)
-        // What is deleted is overwritten, in the pages of the file; see also `Database::overwrite_deleted`.
+        // Overwrites deleted content in the pages of the file; see also `Database::overwrite_deleted`.
         .pragma("secure_delete", "ON")
         .busy_timeout(SQLITE_TIMEOUT);
     // Processes that start together migrate one after the other: SQLite has no lock that spans all migrations.
@@ -320,7 +320,7 @@ impl Drop for Session {
         if !self.is_open && !self.is_broken {
             return;
         }
-        // Not returned to the pool; closing the connection rolls back.
+        // The connection is not returned to the pool; closing it rolls back.
         match &mut self.link {
             Link::Sqlite(held) => drop(held.take().map(PoolConnection::detach)),
             Link::Postgres(held) => drop(held.take().map(PoolConnection::detach)),
@@ -541,7 +541,7 @@ impl Session {
         }
         self.run(if done.is_ok() { "COMMIT" } else { "ROLLBACK" }).await.or_else(|error| match &done {
             Ok(_) => Err(error),
-            Err(_) => Ok(()), // the error in `done` says more than one of the rollback
+            Err(_) => Ok(()), // the error in `done` says more than the error of the rollback
         })?;
         self.is_open = false;
         done

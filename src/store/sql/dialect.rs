@@ -59,7 +59,8 @@ macro_rules! sql {
 }
 pub(super) use sql;
 
-/// The text of a query, with only those optional lines whose name is in `wanted`, and with numbered parameters.
+/// The text of a query, with the optional lines whose names are in `wanted` and without the others, and with numbered
+/// parameters.
 ///
 /// An optional line ends in `-- when NAME`. Parameters are written `:name` and replaced by `$1`, `$2`, … in the order
 /// of their first use; their names are returned in that order.

@@ -1,5 +1,5 @@
-//! Which key encrypts the blobs of this service, so that no process starts without it and stores blobs in clear; and the mark by
-//! which a blob store is known to be that of this service.
+//! The id of the key that encrypts the blobs of this service, so that no process starts without the key and stores
+//! blobs unencrypted; and the mark that identifies the blob store of this service.
 
 use super::database::bind;
 use super::dialect::sql;
@@ -15,7 +15,7 @@ impl SqlStore {
         self.database.reader().await?.value(sql!("encryption_key"), bind![]).await
     }
 
-    /// Notes the id of the key that encrypts blobs from now on.
+    /// Records the id of the key that encrypts blobs from now on.
     ///
     /// # Errors
     /// [`JobError::Unavailable`].
@@ -33,7 +33,7 @@ impl SqlStore {
         self.database.reader().await?.value(sql!("blob_store_mark"), bind![]).await
     }
 
-    /// Chooses the mark, unless there is one. Says whether it is this one.
+    /// Sets the mark unless one is set. Returns whether it did.
     ///
     /// # Errors
     /// [`JobError::Unavailable`].

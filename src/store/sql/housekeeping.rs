@@ -1,4 +1,4 @@
-//! Periodic work of every process: requeue jobs of lost workers, end overdue jobs, and purge what has outlived its
+//! Periodic work of every process: requeue jobs of lost workers, end overdue jobs, and purge records past their
 //! retention.
 
 use super::database::{Row, Session, bind};
@@ -17,7 +17,7 @@ use std::time::Duration;
 const LONGEST_LEASE: Duration = Duration::from_secs(3600);
 /// Longest hold on a blob.
 const LONGEST_HOLD: Duration = Duration::from_secs(3600);
-/// How long the key of a request in progress is reserved before it is reserved again.
+/// How long the key of a request in progress stays reserved, unless it is reserved again.
 const LONGEST_REQUEST: Duration = crate::jobs::submission::BUSY;
 /// Longest wait of a job after a crash.
 const MAX_CRASH_PAUSE: Duration = Duration::from_secs(60);
@@ -40,7 +40,7 @@ async fn overdue_jobs(session: &mut Session, tolerance: Duration) -> Result<Vec<
 #[async_trait]
 impl Housekeeping for SqlStore {
     async fn recover_expired(&self) -> Result<Recovered, JobError> {
-        // Checked without a lock first: usually there is nothing to do. The same in `end_overdue`.
+        // Checked without a lock first, because usually there is nothing to do; `end_overdue` does the same.
         if expired_leases(&mut self.database.reader().await?).await?.is_empty() {
             return Ok(Recovered::default());
         }
@@ -139,7 +139,7 @@ impl Housekeeping for SqlStore {
     }
 }
 
-/// How long a job waits after this number of crashes: five times as long after each.
+/// How long a job waits after this number of crashes; each further crash multiplies the wait by five.
 fn pause_after(first_pause: Duration, crashes: u32) -> Duration {
     first_pause.saturating_mul(5u32.saturating_pow(crashes.saturating_sub(1))).min(MAX_CRASH_PAUSE)
 }

@@ -1,4 +1,4 @@
-//! What is done with a whole database: its connections are counted, and a SQLite database is copied and checked.
+//! Operations on a whole database: counting its connections, and copying and checking a SQLite database.
 
 use super::database::{Database, READERS};
 use super::driver_errors::{domain_error, lost};
@@ -6,7 +6,7 @@ use crate::jobs::JobError;
 use std::path::Path;
 
 impl Database {
-    /// Connections that are in use, that are open, and that may be open at most.
+    /// The numbers of connections in use, of open connections, and of connections that may be open at most.
     pub(super) fn connections(&self) -> (u32, u32, u32) {
         let counts = |size: u32, idle: usize, most: u32| {
             (size.saturating_sub(u32::try_from(idle).unwrap_or(u32::MAX)), size, most)
@@ -22,7 +22,7 @@ impl Database {
         }
     }
 
-    /// Copies one state of a SQLite database into an empty file, while others write. Takes as long as it takes.
+    /// Copies one state of a SQLite database into an empty file, while others write. Has no time limit.
     pub(super) async fn copy_into(&self, file: &Path) -> Result<(), JobError> {
         let Database::Sqlite { writer, .. } = self else { return Err(domain_error(lost())) };
         let mut connection = writer.acquire().await.map_err(domain_error)?;

@@ -78,7 +78,7 @@ impl KeyStore for SqlStore {
         let arguments = bind![hash, tenant, key_id, path, lasts, at_most];
         self.database
             .transaction(async |session| {
-                // Requests at the same time would each count the tickets of before.
+                // Concurrent requests would otherwise each count only the tickets that existed before them.
                 lock_turns(session, tenant.name()).await?;
                 session.execute(sql!("remove_old_tickets"), bind![]).await?;
                 Ok(session.execute(sql!("insert_ticket"), arguments).await? == 1)

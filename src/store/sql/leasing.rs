@@ -28,13 +28,14 @@ fn status(cancel_requested: Option<bool>) -> LeaseStatus {
 
 /// A turn of a tenant of weight 1, in the units of the table of turns.
 const TURN: i64 = 1_000_000;
-/// Tenants whose queues are read at once, and the least number of jobs that is read of each.
+/// Tenants whose queues are read at once, and the least number of jobs read from each.
 const TENANTS_AT_ONCE: u32 = 64;
 const LEAST_OF_TENANT: u32 = 4;
-/// Jobs of which a process that takes one at a time claims the first that is free: more than processes claim at once.
+/// Length of the front of the queue from which a process that claims one job at a time takes the first free job: more
+/// than processes claim at once.
 const FRONT: u32 = 64;
 
-/// The tenants that wait, in the order of their turns: name, when the next turn is due, and the present.
+/// The waiting tenants in the order of their turns: name, due time of the next turn, and the present time.
 async fn tenants_in_turn(session: &mut Session) -> Result<Vec<Row>, JobError> {
     session.rows(sql!("tenants_in_turn"), bind![TENANTS_AT_ONCE]).await
 }
@@ -45,13 +46,14 @@ async fn running_jobs(session: &mut Session, tenant: &str, at_most: u32) -> Resu
     row.map_or(Ok(0), |row| row.count(0))
 }
 
-/// Locks the turns of a tenant, so that of all transactions that claim its jobs one at a time counts them.
+/// Locks the turns of a tenant, so that transactions which claim its jobs count them one at a time.
 pub(super) async fn lock_turns(session: &mut Session, tenant: &str) -> Result<(), JobError> {
     session.execute(sql!("lock_turns"), bind![tenant]).await.map(|_| ())
 }
 
-/// The front of the queue: tenants take turns, in proportion to their weights, and each takes its own jobs by priority and
-/// age. A tenant that was idle begins at the present: it is owed no turns, and it does not wait behind those that queued more.
+/// The front of the queue: tenants take turns in proportion to their weights, and each tenant's jobs are ordered by
+/// priority and age. A tenant that was idle begins at the present time: it is owed no turns, and it does not wait
+/// behind tenants that have queued more jobs.
 ///
 /// `of_tenant` reads the first jobs of a tenant's queue; its rows are returned.
 async fn front(
@@ -79,7 +81,8 @@ async fn front(
             jobs.push((due.max(present) + place * turn, row));
         }
     }
-    // Stable: of two tenants whose turn it is, the first in the order of tenants goes first.
+    // A stable sort: of two tenants with the same due time, the one that comes first in the order of tenants goes
+    // first.
     jobs.sort_by_key(|(due, _)| *due);
     jobs.truncate(limit as usize);
     Ok(jobs.into_iter().map(|(_, row)| row).collect())
@@ -99,8 +102,8 @@ async fn claim_first(session: &mut Session, jobs: &[JobId], claim: &Claim<'_>) -
             if let Some(most) = claim.max_running {
                 lock_turns(session, &tenant).await?;
                 if running_jobs(session, &tenant, most).await? >= most {
-                    // The next look at the front of the queue leaves this tenant out. Going on to another one's jobs would
-                    // lock the turns of two tenants, in an order that differs between processes.
+                    // The next read of the front of the queue omits this tenant. Continuing with another tenant's jobs
+                    // would lock the turns of two tenants, in an order that differs between processes.
                     return Ok(None);
                 }
             }
@@ -130,7 +133,7 @@ async fn claim_job(session: &mut Session, id: &str, claim: &Claim<'_>) -> Result
     let &Claim { worker, lease, max_run, weights, .. } = claim;
     let epoch: Option<i64> = session.value(sql!("claim_job"), bind![id, worker.name(), lease, max_run]).await?;
     if epoch != Some(1) {
-        // A rerun computes the same trace from its first point: the points of earlier epochs would be duplicates.
+        // A rerun computes the same trace from its first point, so the points of earlier epochs would be duplicates.
         for query in [sql!("clear_trace"), sql!("clear_progress")] {
             session.execute(query, bind![id]).await?;
         }
@@ -154,7 +157,7 @@ impl JobQueue for SqlStore {
         let front = front(&mut session, FRONT, &self.settings, sql!("queued_of_tenant")).await?;
         drop(session);
         let jobs = front.iter().map(|row| rows::job_id(&row.get::<String>("id")?)).collect::<Result<Vec<_>, _>>()?;
-        // Idle workers take no lock several times a second.
+        // Idle workers should not take a lock several times a second.
         if jobs.is_empty() {
             return Ok(None);
         }

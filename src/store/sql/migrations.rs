@@ -18,7 +18,7 @@ pub(super) const SQLITE: &[(i64, &str, &str)] = &[
     (10, "clock", include_str!("migrations/sqlite/0010_clock.sql")),
     (11, "waits", include_str!("migrations/sqlite/0011_waits.sql")),
 ];
-/// Migrations of PostgreSQL, in the same form.
+/// Migrations of PostgreSQL, in the form of [`SQLITE`].
 pub(super) const POSTGRES: &[(i64, &str, &str)] = &[
     (1, "service", include_str!("migrations/postgres/0001_service.sql")),
     (2, "fairness", include_str!("migrations/postgres/0002_fairness.sql")),
@@ -32,7 +32,7 @@ pub(super) const POSTGRES: &[(i64, &str, &str)] = &[
     (10, "waits", include_str!("migrations/postgres/0010_waits.sql")),
 ];
 
-/// Applies those that a database does not have.
+/// Applies the migrations that a database does not have.
 pub(super) fn migrator(migrations: &[(i64, &'static str, &'static str)]) -> Migrator {
     let migration = |&(version, description, text): &(i64, &'static str, &'static str)| {
         Migration::new(version, description.into(), MigrationType::Simple, text.into_sql_str(), false)

@@ -1,18 +1,19 @@
 //! The job store in SQLite or PostgreSQL.
 //!
-//! There is one implementation for both databases: each query is written once, in a file of `queries/`; [`dialect`]
-//! fills in the parts that differ, and [`database`] hides which database a connection belongs to. The code relies on
-//! nothing that only one of them guarantees: PostgreSQL runs write transactions concurrently, so rows are locked before
-//! a decision depends on them.
+//! Both databases share one implementation: each query is written once, in a file of `queries/`; [`dialect`] fills in
+//! the parts that differ, and [`database`] hides which database a connection belongs to. The code relies on no
+//! guarantee that only one of them gives: PostgreSQL runs write transactions concurrently, so rows are locked before a
+//! decision depends on them.
 //!
-//! An operation has one name: that of the port's method. If it is a single query, the query's file has the same name (a
-//! test below checks this).
+//! An operation has the name of the port's method. If it is a single query, the query's file has the same name (a test
+//! below checks this).
 //!
 //! Each port of [`crate::jobs`] is implemented in one file: [`reading`] ([`crate::jobs::JobReader`]), [`writing`]
 //! ([`crate::jobs::JobWriter`]), [`leasing`] ([`crate::jobs::JobQueue`]), [`blobs`] ([`crate::jobs::BlobHolds`]),
-//! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`studies`], [`keys`], [`audit`], [`webhooks`]. Beside them: [`batches`],
-//! [`changes`] (the feed), [`clock`] (whether it is believed), [`once`] (idempotency keys), [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key
-//! encrypts blobs), [`rows`] (from rows to records), [`driver_errors`].
+//! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`studies`], [`keys`], [`audit`], [`webhooks`]. Other
+//! files: [`batches`], [`changes`] (the feed), [`clock`] (whether it is plausible), [`once`] (idempotency keys),
+//! [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key encrypts blobs),
+//! [`rows`] (from rows to records), [`driver_errors`].
 
 mod audit;
 mod batches;
@@ -54,36 +55,36 @@ use std::time::Duration;
 pub struct SqlStore {
     database: Database,
     settings: Arc<StoreSettings>,
-    /// Something was deleted since the files of the database were last cleaned.
+    /// Whether something was deleted since the files of the database were last cleaned.
     has_deleted: Arc<AtomicBool>,
-    /// What is known of the clock of the database.
+    /// The state of the clock of the database.
     clock: Arc<clock::Clock>,
 }
 
-/// Blobs listed at once.
+/// Blobs listed in one page.
 const BLOBS_AT_ONCE: u32 = 5_000;
 
 /// A blob to which a job or an upload refers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct StoredBlob {
-    /// Its owner.
+    /// The owner of the blob.
     pub(crate) tenant: Tenant,
-    /// Its path under the tenant.
+    /// The path of the blob under the tenant.
     pub(crate) path: String,
-    /// Its size, bytes.
+    /// The size of the blob, bytes.
     pub(crate) n_bytes: u64,
 }
 
-/// Settings of a store; those of tests by default.
+/// Settings of a store; tests use the defaults.
 #[derive(Debug, Default)]
 pub struct StoreSettings {
     /// The weights of tenants.
     pub weights: TenantWeights,
-    /// Maximum number of running jobs of a tenant; any number if `None`.
+    /// Maximum number of running jobs of a tenant; `None`: no limit.
     pub max_running: Option<u32>,
-    /// How long a job waits after the first crash of its worker; five times as long after each further one.
+    /// How long a job waits after the first crash of its worker; each further crash multiplies the wait by five.
     pub crash_pause: Duration,
-    /// What seals the secrets of webhooks; without it they are stored as they are.
+    /// Seals the secrets of webhooks; `None`: secrets are stored unsealed.
     pub seal: Option<Seal>,
 }
 
@@ -101,14 +102,15 @@ impl SqlStore {
         })
     }
 
-    /// The store with these settings.
+    /// Replaces the settings of the store.
     #[must_use]
     pub fn with(mut self, settings: StoreSettings) -> Self {
         self.settings = Arc::new(settings);
         self
     }
 
-    /// The store with what another store of this process, with connections of its own, remembers of the database.
+    /// Adopts the settings of another store of this process, and shares its knowledge of the database; the connections
+    /// stay separate.
     #[must_use]
     pub(crate) fn beside(mut self, other: &SqlStore) -> Self {
         self.database.share_space(&other.database);
@@ -124,7 +126,7 @@ impl SqlStore {
     /// Copies one state of a SQLite database into an empty file, while others write.
     ///
     /// # Errors
-    /// [`JobError::Unavailable`]; also for PostgreSQL, which has tools of its own for this.
+    /// [`JobError::Unavailable`]; also for PostgreSQL, which has its own tools for this.
     pub(crate) async fn copy_into(&self, file: &Path) -> Result<(), JobError> {
         self.database.copy_into(file).await
     }
@@ -137,7 +139,7 @@ impl SqlStore {
         self.database.is_intact().await
     }
 
-    /// The blobs to which jobs and uploads refer, after a tenant and a path, in this order; a page of them.
+    /// A page of the blobs to which jobs and uploads refer, ordered by tenant and path, after `after`.
     ///
     /// # Errors
     /// [`JobError::Unavailable`].

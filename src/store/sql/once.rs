@@ -1,11 +1,11 @@
-//! Idempotency keys: a request with a key is carried out once, and what it made is recorded in the same transaction.
+//! Idempotency keys: a request with a key is carried out once, and its outcome is recorded in the same transaction.
 
 use super::database::{Session, bind};
 use super::dialect::sql;
 use crate::jobs::{JobError, Made, Once, OnceStatus};
 use std::time::Duration;
 
-/// Reserves a key, or returns what an earlier request made under it.
+/// Reserves a key, or returns the outcome of an earlier request under it.
 pub(super) async fn begin_once(session: &mut Session, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError> {
     let arguments = bind![&once.tenant, &once.name, &once.fingerprint, &once.token, busy_for];
     // Succeeds if the key is free or has expired; waits for a concurrent transaction that is reserving it.
@@ -13,7 +13,7 @@ pub(super) async fn begin_once(session: &mut Session, once: &Once, busy_for: Dur
         return Ok(OnceStatus::Begun);
     }
     let row = session.row(sql!("get_once"), bind![&once.tenant, &once.name]).await?;
-    // Released by another request since the statement above: the next request finds it free.
+    // Another request has released the key since the statement above; the next request finds it free.
     let Some(row) = row else { return Ok(OnceStatus::InProgress) };
     if row.get::<String>("fingerprint")? != once.fingerprint {
         return Ok(OnceStatus::OtherRequest);
@@ -26,8 +26,8 @@ pub(super) async fn begin_once(session: &mut Session, once: &Once, busy_for: Dur
     }
 }
 
-/// Records what was made for a key. [`JobError::LeaseLost`] if another request has taken the key in the meantime: then
-/// nothing may be made.
+/// Records the outcome of a request under a key. [`JobError::LeaseLost`] if another request has taken the key in the
+/// meantime; this request must then create nothing.
 pub(super) async fn finish_once(session: &mut Session, once: &Once, made: Made) -> Result<(), JobError> {
     let arguments = bind![&once.tenant, &once.name, &once.token, made.to_text(), once.keep_for];
     match session.execute(sql!("finish_once"), arguments).await? {

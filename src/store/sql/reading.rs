@@ -35,8 +35,8 @@ impl JobReader for SqlStore {
         Ok(job)
     }
 
-    /// Reads each state separately, along its index, and merges the pages: whatever the filter, the cost is that of a
-    /// few pages, regardless of the number of jobs.
+    /// Reads each state separately, along its index, and merges the pages, so the cost of any filter is that of a few
+    /// pages, regardless of the number of jobs.
     async fn list_jobs(&self, tenant: &Tenant, filter: &JobFilter, page: &PageRequest) -> Result<JobPage, JobError> {
         let mut jobs = self
             .database

@@ -1,6 +1,6 @@
-//! Removal of what has outlived its retention.
+//! Removal of results and records past their retention.
 //!
-//! Each job is removed in its own transaction: a purge of thousands holds no lock for long, and the next purge
+//! Each job is removed in its own transaction: a purge of thousands of jobs holds no lock for long, and the next purge
 //! continues an interrupted one.
 
 use super::database::{Row, Session, bind};
@@ -37,7 +37,7 @@ pub(super) async fn count_purge(store: &SqlStore, retention: &Retentions) -> Res
     Ok(purged)
 }
 
-/// Removes the results, and then the records, that have outlived their retention: at most `limit` of each kind and retention.
+/// Removes results, and then records, past their retention: at most `limit` of each kind and retention.
 pub(super) async fn purge(store: &SqlStore, retention: &Retentions, limit: u32) -> Result<Purged, JobError> {
     let mut purged = Purged::default();
     for (concerned, keep) in retention.all() {
@@ -55,7 +55,7 @@ async fn purge_once(store: &SqlStore) -> Result<u64, JobError> {
     store.database.transaction(async |session| session.execute(sql!("purge_once"), bind![]).await).await
 }
 
-/// Removes what has outlived a retention.
+/// Removes results and records past one retention.
 async fn purge_concerned(
     store: &SqlStore,
     concerned: &Concerned,
@@ -84,7 +84,7 @@ async fn purge_concerned(
         let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
         match store.delete_study(&tenant, rows::study_id(&row.get::<String>("id")?)?).await {
             Ok(()) => purged.studies += 1,
-            // It goes on since, or another process has removed it.
+            // The study has continued, or another process has removed it.
             Err(JobError::StudyActive { .. } | JobError::StudyNotFound) => {}
             Err(error) => return Err(error),
         }
@@ -99,7 +99,7 @@ async fn purge_concerned(
         let tenant = rows::tenant(&row.get::<String>("tenant")?)?;
         match store.delete_mesh(&tenant, &row.get::<String>("hash")?).await {
             Ok(()) => purged.meshes += 1,
-            // A job refers to it in the meantime, or another process has removed it.
+            // A job now refers to the upload, or another process has removed it.
             Err(JobError::MeshInUse | JobError::MeshNotFound) => {}
             Err(error) => return Err(error),
         }
@@ -109,7 +109,7 @@ async fn purge_concerned(
     Ok(purged)
 }
 
-/// Removes a job's result and trace. `false` if it needs no purge any more.
+/// Removes a job's result and trace. `false` if the job needs no purge any more.
 async fn purge_result(session: &mut Session, id: JobId, keep: Option<Duration>) -> Result<bool, JobError> {
     // Locked: a submission that shares this result has either committed before, or will not find it.
     if session.row(sql!("lock_result_to_purge"), bind![id, keep]).await?.is_none() {
@@ -123,7 +123,7 @@ async fn purge_result(session: &mut Session, id: JobId, keep: Option<Duration>) 
     Ok(true)
 }
 
-/// Removes a job's record. `false` if it needs no purge any more.
+/// Removes a job's record. `false` if the job needs no purge any more.
 async fn purge_job(session: &mut Session, id: JobId) -> Result<bool, JobError> {
     if session.row(sql!("lock_job_to_purge"), bind![id]).await?.is_none() {
         return Ok(false);

@@ -56,15 +56,15 @@ async fn get_study(session: &mut Session, tenant: &Tenant, id: StudyId) -> Resul
     study(&session.row(sql!("get_study"), bind![id, tenant]).await?.ok_or(JobError::StudyNotFound)?)
 }
 
-/// Refers to a blob from now on, instead of the one of the same name.
+/// Makes a study refer to this blob instead of the earlier one of the same name.
 async fn set_study_blob(session: &mut Session, id: StudyId, blob: &StudyBlob) -> Result<(), JobError> {
     session.execute(sql!("note_candidates_of_study_blob"), bind![id, &blob.name, blob.key.path()]).await?;
     let arguments = bind![id, &blob.name, &blob.key.tenant, blob.key.path(), blob.n_bytes];
     session.execute(sql!("set_study_blob"), arguments).await.map(|_| ())
 }
 
-/// Refers to the records of finished matches. Their jobs are locked first: a purge or deletion of one has either committed, and
-/// the record is not found, or waits until the study refers to it.
+/// Makes a study refer to the records of finished matches. Their jobs are locked first: a purge or deletion of a job
+/// has either committed, and its record is not found, or waits until the study refers to the record.
 async fn take_records(session: &mut Session, id: StudyId) -> Result<(), JobError> {
     session.rows(sql!("lock_matches_of_study"), bind![id]).await?;
     session.execute(sql!("take_records"), bind![id]).await.map(|_| ())
@@ -76,7 +76,7 @@ async fn lock_study(session: &mut Session, tenant: &Tenant, id: StudyId) -> Resu
     state(&found.ok_or(JobError::StudyNotFound)?)
 }
 
-/// Sets the columns of a study that change. `false` if it has changed since.
+/// Sets the changed columns of a study. `false` if the study has changed since it was read.
 async fn update_study(session: &mut Session, study: &Study, change: &StudyChange) -> Result<bool, JobError> {
     let error = change.error.as_ref().map(|error| rows::to_json("a failure", error)).transpose()?;
     let StudyProgress { round, n_before, n_tasks, n_made } = change.progress;
@@ -112,7 +112,7 @@ pub(super) async fn drop_blobs_of_study(session: &mut Session, id: StudyId) -> R
     Ok(())
 }
 
-/// Marks a study whose result has outlived its retention, and drops its blobs. `false` if it needs no purge any more.
+/// Marks a study whose result is past its retention, and drops its blobs. `false` if it needs no purge any more.
 pub(super) async fn purge_study_result(
     session: &mut Session,
     id: StudyId,

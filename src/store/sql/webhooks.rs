@@ -69,15 +69,15 @@ async fn next_webhook(session: &mut Session, limits: &TurnLimits) -> Result<Opti
     session.value(sql!("next_webhook"), bind![limits.of_tenant]).await
 }
 
-/// Begins the turn of the next webhook; `None` if there is none, or another process has begun it in the meantime.
+/// Begins the turn of the next webhook; `None` if no turn is due or another process has begun it in the meantime.
 async fn claim_turn(session: &mut Session, limits: &TurnLimits, seal: Option<&Seal>) -> Result<Option<Turn>, JobError> {
     let Some(webhook_id) = next_webhook(session, limits).await? else { return Ok(None) };
     let Some(webhook) = session.row(sql!("lock_webhook"), bind![&webhook_id]).await? else { return Ok(None) };
     session.execute(sql!("begin_turn"), bind![&webhook_id, limits.busy_for]).await?;
     let failures = webhook.count("failures")?;
-    // A secret that cannot be opened fails its deliveries, whose log then says why.
+    // If the secret cannot be opened, the deliveries fail, and their log says why.
     let secret = opened(seal, &webhook_id, &webhook.get::<String>("secret")?).unwrap_or_default();
-    // A receiver that failed is tried with one delivery, so that the others do not use up their attempts.
+    // A receiver that has failed is tried with one delivery, so that the other deliveries do not use up their attempts.
     let at_most = if failures == 0 { limits.deliveries } else { 1 };
     let mut deliveries = Vec::new();
     for row in session.rows(sql!("due_deliveries"), bind![&webhook_id, at_most]).await? {
@@ -104,7 +104,8 @@ impl SqlStore {
         seal.seal(webhook_id, secret).ok_or(JobError::Corrupt { what: "a secret that cannot be sealed", source: None })
     }
 
-    /// Seals the secrets that were stored before there was a key, or with another key than the current one. Returns their number.
+    /// Seals the secrets that are stored unsealed or sealed with another key than the current one. Returns their
+    /// number.
     ///
     /// # Errors
     /// Those of the database.
@@ -116,7 +117,7 @@ impl SqlStore {
             if seal.is_current(&secret) {
                 continue;
             }
-            // One that no key opens stays as it is: a key may be missing by mistake.
+            // A secret that no key opens stays as it is: a key may be missing by mistake.
             let Some(clear) = opened(Some(seal), &id, &secret) else { continue };
             let arguments = bind![&id, self.sealed(&id, &clear)?, &secret];
             self.database.transaction(async |session| session.execute(sql!("seal_secret"), arguments).await).await?;
@@ -274,8 +275,8 @@ impl WebhookStore for SqlStore {
     }
 }
 
-/// Inserts the deliveries of at most [`CHANGES_AT_ONCE`] changes and advances the position past them, under a lock
-/// against other processes that do the same. Returns the number of deliveries.
+/// Inserts the deliveries of at most [`CHANGES_AT_ONCE`] changes and advances the position past them, under a lock that
+/// excludes other processes. Returns the number of deliveries.
 async fn insert_some_deliveries(session: &mut Session) -> Result<u32, JobError> {
     let position: Option<i64> = session.value(sql!("lock_webhook_position"), bind![]).await?;
     let position = position.ok_or(JobError::Corrupt { what: "the position of webhooks", source: None })?;
@@ -304,7 +305,7 @@ async fn insert_some_deliveries(session: &mut Session) -> Result<u32, JobError> 
             if !states.is_empty() && !states.contains(&state) {
                 continue;
             }
-            // Minimal on purpose: data that may concern a patient are fetched with an API key and never sent out.
+            // Minimal on purpose: data that may concern a patient are fetched with an API key and are never sent out.
             let payload = json!({
                 "type": event,
                 "timestamp": rows::time(change.get("at")?)?,

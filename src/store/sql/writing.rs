@@ -12,7 +12,7 @@ use crate::jobs::{
 use async_trait::async_trait;
 use std::time::Duration;
 
-/// Moves a job to a final state. Returns `false`, and changes nothing, if it was in one already.
+/// Moves a job to a final state. Returns `false`, and changes nothing, if the job is already in one.
 pub(super) async fn end_job(
     session: &mut Session,
     id: JobId,
@@ -31,7 +31,7 @@ pub(super) async fn insert_artifact(session: &mut Session, id: JobId, artifact: 
     session.execute(sql!("insert_artifact"), arguments).await.map(|_| ())
 }
 
-/// Inserts a job as queued, or as succeeded if it may share the result of an equal job and there is one.
+/// Inserts a job as queued, or as succeeded if it may share the result of an equal job and such a job exists.
 pub(super) async fn insert_job(
     session: &mut Session,
     job: &NewJob,
@@ -82,7 +82,7 @@ async fn answer_from_cache(
 ) -> Result<(), JobError> {
     let found: Option<String> = session.value(sql!("find_cached"), bind![&job.tenant, cache_key]).await?;
     let Some(first) = found else { return Ok(()) };
-    // Locked: a purge of that job has either finished, or waits until the new job refers to its blobs too.
+    // Locked: a purge of that job has either finished, or waits until the new job refers to the same blobs.
     if session.row(sql!("lock_cached"), bind![&first]).await?.is_none() {
         return Ok(());
     }

@@ -1,7 +1,7 @@
-//! The child: `homolog compute-child`, which is started by the service and by nobody else.
+//! The child process: `homolog compute-child`, which only the service starts.
 //!
-//! It reads requests from its standard input, a connection to its parent, and answers on the same. It prints nothing, logs
-//! nothing, and ends when the connection does.
+//! It reads requests from its standard input, which is a connection to its parent, and answers on the same connection.
+//! It prints and logs nothing, and ends when the connection closes.
 
 use super::limits;
 use super::messages::{Beginning, KeptSurfaces, Outcome, Request, Told};
@@ -22,16 +22,16 @@ use std::process::ExitCode;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A child shows its progress when it has grown by this.
+/// Smallest increase of the progress that a child reports.
 const STEP_OF_PROGRESS: f64 = 0.002;
-/// Where the kernel reads how readily it ends a process for want of memory.
+/// The file from which the kernel reads the priority of this process when it ends processes to free memory.
 #[cfg(target_os = "linux")]
 const PREFERENCE: (&str, &str) = ("/proc/self/oom_score_adj", "500");
 
-/// The place of the last panic.
+/// The location of the last panic.
 static PANIC: Mutex<Option<String>> = Mutex::new(None);
 
-/// Runs the child of the process with this number until that ends.
+/// Runs the child of the process with number `parent` until the connection closes.
 pub fn run(parent: Option<u32>) -> ExitCode {
     match serve(parent) {
         Ok(()) => ExitCode::SUCCESS,
@@ -47,7 +47,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
     if beginning.version != version() {
         return Err(io::Error::other("the parent is another version of the program").into());
     }
-    // A panic is told with its place only: its message may contain data of a patient.
+    // Only the location of a panic is reported: its message may contain a patient's data.
     std::panic::set_hook(Box::new(|panic| {
         *PANIC.lock().unwrap_or_else(PoisonError::into_inner) = panic.location().map(ToString::to_string);
     }));
@@ -69,7 +69,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
             read => read?,
         };
         counts.reset();
-        // Nothing that a panic may leave inconsistent is used again but the kept surfaces, which are whole or not there.
+        // After a panic only the kept surfaces are used again, and each of them is either complete or absent.
         let answered = catch_unwind(AssertUnwindSafe(|| answer(&engine, &channel, request, body)));
         let (outcome, body) = match answered {
             Ok(done) => done?,
@@ -80,18 +80,18 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
     }
 }
 
-/// The program of a parent and its children.
+/// The version of the program, which a parent and its children must share.
 pub(super) fn version() -> String {
     concat!(env!("CARGO_PKG_VERSION"), "+", env!("HOMOLOG_COMMIT")).to_owned()
 }
 
-/// Sees to it that this process ends with its parent, and hears no signals of the parent's terminal.
+/// Makes this process end with its parent, and detaches it from the signals of the parent's terminal.
 fn leave_with(parent: Option<u32>) -> io::Result<()> {
-    // Fails where it leads a group already, as when a shell has started it.
+    // Fails if this process already leads a group, for example when a shell started it.
     let _ = rustix::process::setsid();
     #[cfg(target_os = "linux")]
     rustix::process::set_parent_process_death_signal(Some(rustix::process::Signal::KILL))?;
-    // The parent may have ended before.
+    // The parent may have ended before the call above.
     let current = rustix::process::getppid().map(|pid| pid.as_raw_nonzero().get().unsigned_abs());
     if parent.is_some() && current == parent {
         return Ok(());
@@ -99,7 +99,7 @@ fn leave_with(parent: Option<u32>) -> io::Result<()> {
     Err(io::Error::other("this command is for the service itself, which starts it"))
 }
 
-/// What comes of a request, and the body of the answer.
+/// Handles a request. Returns the outcome and the body of the answer.
 fn answer(
     engine: &MatchEngine,
     channel: &Channel,
@@ -177,7 +177,7 @@ fn answer(
     })
 }
 
-/// Computes on threads of its own, as a worker does within the process, and tells the products.
+/// Computes on its own threads, as a worker within the process does, and sends the products.
 fn compute(
     channel: &Channel,
     computation: &dyn Computation,
@@ -198,14 +198,14 @@ fn compute(
             Outcome::Answered(verdict)
         }
         Err(ComputeError::Failed(failure)) => Outcome::Failed(failure),
-        // A child is never asked to stop: it is killed.
+        // A child is killed, never asked to stop.
         Err(ComputeError::Cancelled | ComputeError::NotStarted(_)) => {
             Outcome::Failed(Failure::new("internal-error", "the computation stopped without having been told to"))
         }
     })
 }
 
-/// The connection to the parent, which threads of a computation share.
+/// The connection to the parent, shared by the threads of a computation.
 #[derive(Debug, Clone)]
 struct Channel(Arc<Mutex<UnixStream>>);
 
@@ -223,10 +223,10 @@ impl Channel {
     }
 }
 
-/// The uploads of a study come through the parent, which knows whose they are.
+/// Requests the uploads of a study from the parent, which knows their owner.
 impl StudyInputs for Channel {
     fn read(&self, hash: &str) -> io::Result<Vec<u8>> {
-        // Held from question to answer: another thread must not take what this one has asked for.
+        // Locked from request to answer, so that another thread cannot receive the answer to this request.
         let mut stream = self.lock();
         write_frame(&mut *stream, &Told::Fetch(hash.to_owned()), &[])?;
         match read_frame(&mut *stream, Longest::FROM_PARENT) {
@@ -238,7 +238,7 @@ impl StudyInputs for Channel {
     }
 }
 
-/// Tells the parent what a computation reports.
+/// Sends the parent what a computation reports.
 struct Reporter {
     channel: Channel,
     progress: Mutex<f64>,
@@ -247,7 +247,7 @@ struct Reporter {
 impl Reporter {
     fn tell(&self, told: &Told) {
         if self.channel.tell(told, &[]).is_err() {
-            // Nobody waits for this computation any more.
+            // The parent no longer waits for this computation.
             std::process::exit(1);
         }
     }
@@ -271,19 +271,19 @@ impl Observer for Reporter {
     }
 }
 
-/// What is counted in a child, for the metrics of its parent.
+/// Metrics counted in a child, for the metrics of its parent.
 #[derive(Debug, Clone, Default)]
 struct Counts {
     hits: Arc<AtomicU64>,
     misses: Arc<AtomicU64>,
-    /// The bits of a number.
+    /// The bits of an `f64`.
     bytes: Arc<AtomicU64>,
 }
 
 impl Counts {
     fn install() -> Self {
         let counts = Counts::default();
-        // There is no other in this process.
+        // Cannot fail: this process has no other recorder.
         let _ = metrics::set_global_recorder(counts.clone());
         counts
     }

@@ -1,4 +1,4 @@
-//! The engine that computes in children.
+//! The engine that computes in child processes.
 
 use super::limits::{BESIDES, Bounds, Most};
 use super::messages::{Beginning, Confinement, KeptSurfaces, Outcome, Request, Told};
@@ -23,39 +23,39 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-/// How often a request is tried whose child died of something that need not be the request's fault.
+/// How often a request is tried if its child died of a cause that may not be the request's fault.
 const TRIES: usize = 2;
 /// How long reading an input, or converting a part of a result, may take.
 const READING_TIME: Duration = Duration::from_secs(300);
-/// Least memory for prepared surfaces that a child keeps, bytes: a template of a few thousand vertices.
+/// Least memory for the prepared surfaces of a child, bytes: a template of a few thousand vertices.
 const LEAST_PREPARED: u64 = 48 << 20;
 
 /// How computations are isolated.
 #[derive(Debug, Clone)]
 pub struct IsolationSettings {
-    /// The program whose hidden command is the child: this one.
+    /// The program whose hidden command runs a child, usually the running program itself.
     pub program: PathBuf,
     /// Limits on inputs.
     pub limits: IntakeLimits,
-    /// Memory for prepared surfaces that all children keep together, bytes.
+    /// Memory for the prepared surfaces of all children together, bytes.
     pub prepared_bytes: u64,
-    /// Memory for jobs, of which reading a file may take no more, bytes.
+    /// Memory for jobs, bytes. Reading a file may not take more.
     pub memory_bytes: u64,
     /// Computations that may run at the same time.
     pub at_once: usize,
     /// Cores of this process.
     pub cores: usize,
-    /// What a computation may take besides what was planned for it, bytes.
+    /// Memory that a computation may take in addition to its predicted memory, bytes.
     pub besides: u64,
 }
 
 impl IsolationSettings {
-    /// Children of the running program.
+    /// Settings whose children run the running program.
     ///
     /// # Errors
-    /// If the system does not tell which program that is.
+    /// If the system does not report the path of the program.
     pub fn of_this_program(limits: IntakeLimits, memory_bytes: u64) -> io::Result<Self> {
-        // This name leads to the program that runs, even if another version has replaced its file since.
+        // This path leads to the running program, even if another version has replaced its file.
         let own = PathBuf::from("/proc/self/exe");
         let program = if cfg!(target_os = "linux") && own.exists() { own } else { std::env::current_exe()? };
         let cores = crate::worker::machine::cores();
@@ -71,14 +71,14 @@ impl IsolationSettings {
     }
 }
 
-/// A [`MatchEngine`] whose computations run in children of this process: everything that touches bytes of clients.
+/// A [`MatchEngine`] that processes all bytes of clients in children of this process.
 ///
-/// A child that dies takes nothing with it but its request. A match or a step that runs out of memory or of processor time has
-/// failed for good. One whose child was killed from outside or crashed is computed once more in a new child; what it had
-/// reported is not reported again, because the same inputs give the same trace.
+/// When a child dies, only its request is affected. A match or a step that runs out of memory or of processor time
+/// fails for good. If the child crashed or was killed from outside, its request is computed once more in a new child.
+/// The second run does not report what the first run has reported, because the same inputs give the same trace.
 #[derive(Debug)]
 pub struct IsolatedEngine {
-    /// Resolves parameters and predicts; it gets no bytes of clients.
+    /// Resolves parameters and predicts; it receives no bytes of clients.
     local: MatchEngine,
     shared: Arc<Shared>,
     confinement: Confinement,
@@ -91,7 +91,7 @@ struct Shared {
     n_threads: usize,
 }
 
-/// What comes of a request that was tried: the answer, or what the last child died of.
+/// The result of a request: the answer, or why there is none.
 type Tried<T> = Result<T, Unanswered>;
 
 /// Why a request has no answer.
@@ -99,7 +99,7 @@ type Tried<T> = Result<T, Unanswered>;
 enum Unanswered {
     /// No child could be started.
     NotStarted(io::Error),
-    /// The caller wanted it to stop.
+    /// The caller stopped the request.
     Stopped,
     /// The child died.
     Died(Death),
@@ -122,7 +122,7 @@ impl IsolatedEngine {
         Ok(IsolatedEngine { local: MatchEngine::new(limits, 0), shared, confinement })
     }
 
-    /// What the kernel does not do to confine children, for people; `None` if it does everything.
+    /// The missing confinement of children by the kernel, as a text for people; `None` if they are fully confined.
     pub fn unconfined(&self) -> Option<&'static str> {
         match self.confinement {
             Confinement { landlock: true, seccomp: true } => None,
@@ -134,7 +134,8 @@ impl IsolatedEngine {
         }
     }
 
-    /// Lets a child try what a computation must not be able to do, such as to open a file or a connection; what was possible.
+    /// Lets a child try what a computation must not be able to do, such as opening a file or a connection. Returns what
+    /// succeeded.
     ///
     /// # Errors
     /// If there is no child.
@@ -201,7 +202,7 @@ impl Shared {
         Bounds::of_reading(&self.most, n_bytes, self.n_threads, READING_TIME)
     }
 
-    /// Asks a child that is used for this request alone: nobody knows yet what is in these bytes.
+    /// Sends a request to a fresh child that serves it alone: the content of these bytes is not yet known.
     fn once(&self, request: &Request, body: &[&[u8]], n_bytes: u64) -> Tried<(Outcome, Vec<u8>)> {
         let bounds = self.reading(n_bytes);
         tried(|| {
@@ -219,7 +220,7 @@ impl Shared {
     }
 }
 
-/// Tries a request again whose child died of something that need not be its fault.
+/// Tries a request again if its child died of a cause that may not be the request's fault.
 fn tried<T>(mut work: impl FnMut() -> Tried<T>) -> Tried<T> {
     let mut n_tries = 0;
     loop {
@@ -237,7 +238,7 @@ fn tried<T>(mut work: impl FnMut() -> Tried<T>) -> Tried<T> {
     }
 }
 
-/// What became of a child that has not answered.
+/// Why a child has not answered.
 fn unanswered(child: Child, broken: Broken) -> Unanswered {
     match broken {
         Broken::Stopped => {
@@ -247,7 +248,7 @@ fn unanswered(child: Child, broken: Broken) -> Unanswered {
         Broken::Lost(error) => {
             let death = match error {
                 FrameError::Closed | FrameError::Io(_) => child.end(),
-                // One that lives and tells nonsense is as good as dead.
+                // A child that lives but sends malformed frames counts as dead.
                 FrameError::TooLong { .. } | FrameError::Meaningless(_) => {
                     drop(child);
                     Death::Crashed { signal: None }
@@ -305,7 +306,7 @@ fn too_large(detail: String) -> InputRefusal {
     InputRefusal { code: "too-large".to_owned(), detail, topology: None, place_mm: None }
 }
 
-/// Ends a check without an outcome, so that none is stored: as a panic does that happens within this process.
+/// Ends a check without an outcome, so that none is stored, as a panic within this process does.
 fn uncheckable<T>() -> T {
     std::panic::resume_unwind(Box::new("the check of an input has no outcome"))
 }
@@ -455,7 +456,7 @@ fn inputs_of(study: &StudyDefinition) -> impl Iterator<Item = &JobInput> {
     study.subjects.iter().map(|subject| &subject.input).chain(&study.template)
 }
 
-/// Sends a child the upload that it needs, if it is one of its study.
+/// Sends a child the upload that it requests, if the upload belongs to the child's study.
 fn fetch(purpose: &Purpose, hash: &str, child: &mut dyn Write) -> io::Result<()> {
     let Purpose::Step(material) = purpose else { return Err(io::Error::other("a match has both its files")) };
     let read = match inputs_of(&material.definition).any(|input| input.hash == hash) {
@@ -469,7 +470,7 @@ fn fetch(purpose: &Purpose, hash: &str, child: &mut dyn Write) -> io::Result<()>
     super::protocol::write_frame(&mut { child }, &Request::Fetched { error }, &[&bytes])
 }
 
-/// Adds what a child has looked up to the metrics of this process.
+/// Adds the cache lookups of a child to the metrics of this process.
 fn count(kept: KeptSurfaces) {
     for (lookup, n) in [("hit", kept.hits), ("miss", kept.misses)] {
         metrics::counter!("homolog_prepared_surfaces_total", "lookup" => lookup).increment(n);
@@ -510,10 +511,10 @@ fn internal_error() -> Failure {
     Failure::new("internal-error", "the computation ended unexpectedly; the cause is in the service's log")
 }
 
-/// Passes on what a computation reports, without what an earlier try has reported.
+/// Passes on the reports of a computation, except those that an earlier try has already passed on.
 struct Continued<'a> {
     inner: &'a dyn Observer,
-    /// Points of all tries that were passed on.
+    /// Points that all tries together have passed on.
     reported: &'a AtomicUsize,
     /// Points of this try.
     seen: AtomicUsize,

@@ -1,37 +1,37 @@
-//! What a child may take: the memory that was planned for its job, and processor time.
+//! Limits of a child: the memory planned for its job, and processor time.
 //!
-//! The kernel counts what a process has made writable for itself (`RLIMIT_DATA`), which is its heap and the stacks of its
-//! threads, and not what is only reserved, as the system's allocator does for each thread. So this is the limit that is meant,
-//! and the address space (`RLIMIT_AS`) is bounded well above it. The parent sets both from outside before each job; the child
-//! cannot change them.
+//! `RLIMIT_DATA` is the effective memory limit: the kernel counts the memory that a process has made writable for
+//! itself, which is its heap and the stacks of its threads, and not address space that is only reserved, as the
+//! system's allocator does for each thread. The limit on the address space (`RLIMIT_AS`) is well above it. The parent
+//! sets both from outside before each job; the child cannot change them.
 
 use crate::jobs::Allotted;
 use homolog_run::intake::IntakeLimits;
 use std::time::Duration;
 
-/// What any computation may take besides: code that is touched first, tables, the text of an answer.
+/// Memory that any computation may take in addition, bytes: code that is touched first, tables, the text of an answer.
 pub(super) const BESIDES: u64 = 256 << 20;
-/// How much more than its prediction a computation may take, as a factor: predictions count arrays, not what the allocator loses
-/// between them.
+/// Factor between a prediction and the limit of a computation: predictions count arrays, not the memory that the
+/// allocator loses between them.
 const SLACK: u64 = 2;
-/// What a thread takes besides scratch space: its stack, and what its part of the allocator holds.
+/// Memory of a thread besides scratch space, bytes: its stack, and its part of the allocator.
 const THREAD: u64 = 8 << 20;
-/// Address space that the allocator reserves for each thread, and never uses.
+/// Address space that the allocator reserves for each thread and never uses, bytes.
 const RESERVED: u64 = 192 << 20;
-/// Memory of reading a file, as a multiple of its size after decompression; what a reader holds is bounded by its own tests.
+/// Memory for reading a file, as a multiple of its decompressed size; the reader's own tests bound what it holds.
 const READING: u64 = 8;
 /// Memory for a voxel of the box around a structure, bytes: labels, and distances before and after smoothing.
 const VOXEL: u64 = 24;
-/// Processor time that a job may take besides that of its longest run.
+/// Processor time that a job may take in addition to the time of its longest run.
 const CPU_BESIDES: Duration = Duration::from_secs(30);
-/// Ticks of the clock in which the kernel states processor time, in a second; the same on all its processors.
+/// Ticks per second of the clock in which the kernel states processor time; the same on all its processors.
 #[cfg(target_os = "linux")]
 const TICKS: u64 = 100;
 
-/// What a request may take.
+/// Limits of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Bounds {
-    /// Memory besides what the child has, bytes.
+    /// Memory in addition to what the child already has, bytes.
     pub(super) memory_bytes: u64,
     /// Threads.
     pub(super) n_threads: u64,
@@ -40,10 +40,10 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// Of a computation over inputs of `input_bytes`.
+    /// Limits of a computation over inputs of `input_bytes`.
     pub(super) fn of_computation(allotted: &Allotted<'_>, most: &Most, input_bytes: u64) -> Self {
         let n_threads = allotted.n_threads.max(1) as u64;
-        // A job that cannot be predicted is bounded by what any match may take.
+        // A job without a prediction is bounded by the memory that any match may take.
         let planned = if allotted.memory_bytes == 0 { most.limits.max_match_bytes } else { allotted.memory_bytes };
         let computed = planned.saturating_mul(SLACK);
         let memory_bytes = computed.max(most.reading(input_bytes)).saturating_add(most.besides);
@@ -51,7 +51,7 @@ impl Bounds {
         Bounds { memory_bytes, n_threads, cpu: cpu.saturating_add(CPU_BESIDES) }
     }
 
-    /// Of reading an input of `n_bytes` within `time`, on all cores.
+    /// Limits of reading an input of `n_bytes` within `time`, on all cores.
     pub(super) fn of_reading(most: &Most, n_bytes: u64, n_threads: usize, time: Duration) -> Self {
         let n_threads = n_threads.max(1) as u64;
         let cpu = time.saturating_mul(u32::try_from(n_threads).unwrap_or(u32::MAX)).saturating_add(CPU_BESIDES);
@@ -59,19 +59,19 @@ impl Bounds {
     }
 }
 
-/// What the settings of a process allow.
+/// Limits from the settings of a process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Most {
     /// Limits on inputs.
     pub(super) limits: IntakeLimits,
-    /// Memory for jobs, of which no reading may take more, bytes.
+    /// Memory for jobs, bytes. No reading may take more.
     pub(super) budget: u64,
-    /// What any computation may take besides, bytes: [`BESIDES`].
+    /// Memory that any computation may take in addition, bytes: [`BESIDES`].
     pub(super) besides: u64,
 }
 
 impl Most {
-    /// Memory of reading files of `n_bytes` together: of what they may inflate to, and the box of a volume.
+    /// Memory for reading files of `n_bytes` together: their decompressed size, and the box of a volume.
     fn reading(&self, n_bytes: u64) -> u64 {
         let IntakeLimits { max_inflation, max_inflated_bytes, max_voxels, .. } = self.limits;
         let inflated = n_bytes.saturating_mul(max_inflation as u64).max(1 << 20);
@@ -83,15 +83,15 @@ impl Most {
 /// The memory of a process, bytes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Memory {
-    /// What it made writable for itself.
+    /// Memory that the process made writable for itself.
     pub(super) data: u64,
     /// Its address space.
     pub(super) space: u64,
-    /// What is in memory.
+    /// Resident memory.
     pub(super) resident: u64,
 }
 
-/// The memory of a process; `None` where the system does not tell.
+/// The memory of a process; `None` if the system does not report it.
 pub(super) fn memory_of(pid: Option<u32>) -> Option<Memory> {
     let path = pid.map_or_else(|| "/proc/self/status".to_owned(), |pid| format!("/proc/{pid}/status"));
     memory_in(&std::fs::read_to_string(path).ok()?)
@@ -105,14 +105,13 @@ fn memory_in(status: &str) -> Option<Memory> {
     Some(Memory { data: field("VmData:")?, space: field("VmSize:")?, resident: field("VmRSS:")? })
 }
 
-/// Bounds what a child takes from now on. Where the system cannot, nothing is bounded but time, by the parent.
+/// Sets the limits of a child from now on. Where the system has no such limits, the parent bounds the time only.
 #[cfg(target_os = "linux")]
 pub(super) fn bound(pid: u32, bounds: Bounds, scratch_bytes: u64) {
     use rustix::process::{Pid, Resource, Rlimit, prlimit};
     let Some(process) = i32::try_from(pid).ok().and_then(Pid::from_raw) else { return };
     let set = |resource, most: u64| {
-        // The hard limit stays, so that the next job may take more.
-        // Children have that of this process.
+        // The hard limit stays, so that the next job may take more. Children have the hard limit of this process.
         let hard = rustix::process::getrlimit(resource).maximum;
         let current = Some(hard.map_or(most, |hard| most.min(hard)));
         if let Err(error) = prlimit(Some(process), resource, Rlimit { current, maximum: hard }) {
@@ -120,7 +119,7 @@ pub(super) fn bound(pid: u32, bounds: Bounds, scratch_bytes: u64) {
         }
     };
     if let Some(Memory { data, space, .. }) = memory_of(Some(pid)) {
-        // Both the threads of the job and those that serve reading have scratch space.
+        // The threads of the job and the threads that serve reading both have scratch space.
         let threads = bounds.n_threads.saturating_mul(scratch_bytes.saturating_add(THREAD));
         let more = bounds.memory_bytes.saturating_add(threads.saturating_mul(2));
         set(Resource::Data, data.saturating_add(more));
@@ -135,7 +134,7 @@ pub(super) fn bound(pid: u32, bounds: Bounds, scratch_bytes: u64) {
 #[cfg(not(target_os = "linux"))]
 pub(super) fn bound(_: u32, _: Bounds, _: u64) {}
 
-/// Processor time that a process has taken, s.
+/// Processor time that a process has used, s.
 #[cfg(target_os = "linux")]
 fn cpu_seconds(pid: u32) -> Option<u64> {
     cpu_seconds_in(&std::fs::read_to_string(format!("/proc/{pid}/stat")).ok()?)
@@ -149,11 +148,11 @@ fn cpu_seconds_in(stat: &str) -> Option<u64> {
     Some((ticks(11)? + ticks(12)?) / TICKS)
 }
 
-/// Limits that a child sets for itself, once: it writes no files, leaves no dump, and opens next to nothing.
+/// Limits that a child sets for itself, once: it writes no files and no core dump, and opens almost no files.
 pub(super) fn bound_self() {
     use rustix::process::{Resource, Rlimit, setrlimit};
     for (resource, most) in [(Resource::Core, 0), (Resource::Fsize, 0), (Resource::Nofile, 16)] {
-        // A limit that cannot be set is one of several.
+        // Ignored: this limit is one of several.
         let _ = setrlimit(resource, Rlimit { current: Some(most), maximum: Some(most) });
     }
 }

@@ -1,7 +1,7 @@
-//! What a process asks of its children, and what they tell.
+//! Messages between a process and its children.
 //!
-//! Numbers cross in JSON with as many digits as tell them apart, so that a computation gets and gives the same bits as within
-//! the process.
+//! Numbers are sent as JSON with enough digits to restore the same bits, so a child computes the same bits as the
+//! process itself.
 
 use crate::jobs::study::StudyDefinition;
 use crate::jobs::{ArtifactKind, Failure, InputRefusal, InputSummary, PartFormat, PresentError, ResultPart};
@@ -12,18 +12,18 @@ use homolog_run::intake::IntakeLimits;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-/// What a child is told first.
+/// The first message to a child.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Beginning {
-    /// The program that the parent is; a child of another one ends.
+    /// The version of the parent; a child of another version ends.
     pub(super) version: String,
     /// Limits on inputs.
     pub(super) limits: IntakeLimits,
-    /// Memory for prepared surfaces that are kept, bytes.
+    /// Memory for prepared surfaces, bytes.
     pub(super) prepared_bytes: u64,
 }
 
-/// A request to a child; the next one comes after the last answer to it.
+/// A request to a child. The next request follows the last answer to this one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Request {
@@ -33,12 +33,12 @@ pub(super) enum Request {
         parameters: Value,
         /// Extensions of the file name.
         name_hint: Option<String>,
-        /// Whether it is the target.
+        /// Whether the input is the target.
         is_target: bool,
-        /// Whether its surface is wanted, not whether it can be matched.
+        /// Whether the surface is requested instead of a check.
         show: bool,
     },
-    /// Match the two files in the body, source first.
+    /// Match the two files in the body, the source first.
     Match {
         /// Effective parameters.
         parameters: Value,
@@ -46,7 +46,7 @@ pub(super) enum Request {
         hints: [Option<String>; 2],
         /// Bytes of the source.
         source_bytes: usize,
-        /// Whether the record that a study keeps is wanted too.
+        /// Whether the record that a study keeps is also requested.
         record: bool,
         /// Threads to compute on.
         n_threads: usize,
@@ -55,18 +55,18 @@ pub(super) enum Request {
     Step {
         /// Effective parameters.
         parameters: Value,
-        /// Who, and what is asked.
+        /// The study and the step.
         definition: Box<StudyDefinition>,
-        /// The files of its folder in the body: their names and lengths, in their order.
+        /// The files of the study's folder in the body: names and lengths, in order.
         files: Vec<(String, usize)>,
-        /// Matches without an answer, and why.
+        /// Matches without an answer, and the reasons.
         failures: Vec<(String, String)>,
         /// Threads to compute on.
         n_threads: usize,
     },
-    /// The upload that was fetched, in the body.
+    /// The fetched upload, in the body.
     Fetched {
-        /// Why it cannot be read.
+        /// Why the upload cannot be read.
         error: Option<String>,
     },
     /// Convert the blobs in the body.
@@ -75,14 +75,14 @@ pub(super) enum Request {
         part: WirePart,
         /// The format.
         format: PartFormat,
-        /// The lengths of the blobs, in their order.
+        /// The lengths of the blobs, in order.
         lengths: Vec<usize>,
     },
-    /// Try what a computation must not be able to do.
+    /// Try the actions that a computation must not be able to perform.
     Attempt,
 }
 
-/// [`ResultPart`].
+/// The wire form of [`ResultPart`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum WirePart {
@@ -137,32 +137,32 @@ impl From<WirePart> for ResultPart {
     }
 }
 
-/// What a child tells. Everything after the first one belongs to a request.
+/// A message from a child. Every message after the first one belongs to a request.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Told {
-    /// It takes requests.
+    /// The child takes requests.
     Ready {
-        /// What confines it.
+        /// The confinement of the child.
         confinement: Confinement,
-        /// Memory that each of its threads reserves for products of matrices, bytes.
+        /// Memory that each of its threads reserves for matrix products, bytes.
         scratch_bytes: u64,
     },
     /// A phase of the computation begins.
     Phase(Phase),
-    /// The share of the work that is done.
+    /// The share of the work that is done, from 0 to 1.
     Progress(f64),
     /// A point of the energy trace.
     Trace(TracePoint),
-    /// It needs the upload with this hash.
+    /// The child needs the upload with this hash.
     Fetch(String),
     /// A blob of the result, in the body.
     Product(ArtifactKind),
     /// The last answer to a request.
     Done {
-        /// What came of it.
+        /// The outcome of the request.
         outcome: Outcome,
-        /// What the kept surfaces were used for.
+        /// Use of the kept surfaces by this request.
         kept: KeptSurfaces,
     },
 }
@@ -179,19 +179,19 @@ pub(super) enum Outcome {
     Fit(InputSummary),
     /// The input cannot be matched, or has no surface.
     Unfit(InputRefusal),
-    /// The surface or the converted part, in the body.
+    /// The surface or the converted part is in the body.
     Made,
     /// The part cannot be converted.
     NotMade(NotMade),
-    /// It panicked, here.
+    /// The computation panicked at this location.
     Panicked(Option<String>),
-    /// The system gave it no threads.
+    /// The system provided no threads.
     NoThreads(String),
-    /// What could be done of [`Request::Attempt`].
+    /// The attempted actions that succeeded.
     Attempted(Vec<String>),
 }
 
-/// [`PresentError`].
+/// The wire form of [`PresentError`].
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum NotMade {
@@ -234,23 +234,23 @@ impl NotMade {
     }
 }
 
-/// What a child has looked up among the surfaces that it keeps.
+/// Lookups of a child among the surfaces that it keeps.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct KeptSurfaces {
-    /// Lookups for this request that found one.
+    /// Lookups of this request that found a surface.
     pub(super) hits: u64,
-    /// Lookups for this request that found none.
+    /// Lookups of this request that found none.
     pub(super) misses: u64,
-    /// Memory of those that are kept, bytes.
+    /// Memory of the kept surfaces, bytes.
     pub(super) bytes: u64,
 }
 
-/// What confines a child.
+/// The confinement of a child.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Confinement {
-    /// Landlock: it opens no file, and no connection.
+    /// Landlock: the child can open neither files nor connections.
     pub(super) landlock: bool,
-    /// Seccomp: the kernel refuses calls by which it could reach other processes, files and machines.
+    /// Seccomp: the kernel refuses system calls that reach other processes, files and machines.
     pub(super) seccomp: bool,
 }
 
@@ -298,7 +298,7 @@ mod tests {
         let beginning = Beginning { version: "v".to_owned(), limits, prepared_bytes: 1 };
         let text = serde_json::to_string(&beginning).unwrap();
         assert_eq!(serde_json::from_str::<Beginning>(&text).unwrap(), beginning);
-        // One more or one less is of another program.
+        // A program with one field more or fewer has another version.
         let other = text.replacen("max_voxels", "most_voxels", 1);
         assert!(serde_json::from_str::<Beginning>(&other).is_err());
     }

@@ -1,10 +1,10 @@
-//! Computations in processes of their own, so that one that crashes, is broken into, or takes too much harms nothing else.
+//! Computations in separate processes: a computation that crashes, is compromised or takes too much harms nothing else.
 //!
-//! [`IsolatedEngine`] stands where [`MatchEngine`](super::match_engine::MatchEngine) stands: what is quick and touches no bytes
-//! of clients stays in the process, everything else goes to a child, which is the same program with the hidden command
-//! [`COMMAND`]. Reading order: [`engine`] (what is asked of children, and what their deaths mean), `pool` (which child), `process`
-//! (one child, as its parent sees it), `child` (the same from within), `messages` and `protocol` (what crosses), `limits`
-//! (memory and processor time), `sandbox` (files, connections, other processes).
+//! [`IsolatedEngine`] replaces [`MatchEngine`](super::match_engine::MatchEngine). Work that is quick and touches no
+//! bytes of clients stays in the process. All other work goes to a child: the same program with the hidden command
+//! [`COMMAND`]. Reading order: [`engine`] (requests to children, and the consequences of their deaths), `pool` (which
+//! child), `process` (one child, as its parent sees it), `child` (the child's own code), `messages` and `protocol` (the
+//! data exchanged), `limits` (memory and processor time), `sandbox` (files, connections, other processes).
 
 mod child;
 mod engine;
@@ -22,7 +22,7 @@ pub use process::COMMAND;
 /// Where computations run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Isolation {
-    /// In processes of their own, confined and bounded
+    /// In separate processes, confined and bounded
     Process,
     /// In threads of the service: whatever breaks a computation breaks the service
     None,

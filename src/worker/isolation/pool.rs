@@ -1,8 +1,9 @@
-//! The children of a process: a spare one that waits for its first request, and those that rest between two jobs.
+//! The children of a process: a spare child that waits for its first request, and children that rest between two jobs.
 //!
-//! A child that has computed serves the same owner only from then on: whoever took control of it through a file sees no other
-//! tenant's. It rests until there is a job of this owner, preferably with a file that it has prepared, and is ended after a
-//! minute, when there are more of its kind than jobs that may run, when it has grown, and after any failure.
+//! A child that has computed for an owner serves only this owner from then on, so whoever takes control of it through a
+//! file sees no other tenant's data. It rests until this owner has a job, preferably one with a file that it has
+//! prepared. It is ended after a minute of rest, when more children rest than jobs may run, when it has grown, and
+//! after any failure.
 
 use super::messages::{Beginning, Confinement, KeptSurfaces};
 use super::process::Child;
@@ -14,22 +15,22 @@ use std::time::Duration;
 
 /// How long a child may rest.
 const REST: Duration = Duration::from_secs(60);
-/// How often resting children are looked at.
+/// How often the resting children are checked.
 const ROUND: Duration = Duration::from_secs(5);
-/// By how much a child may have grown besides the surfaces that it keeps, bytes; the allocator gives back little of what a
+/// How much a child may have grown besides the surfaces that it keeps, bytes; the allocator returns little of what a
 /// large job took.
 const GROWTH: u64 = 256 << 20;
 
-/// What children are started with.
+/// Settings with which children are started.
 #[derive(Debug, Clone)]
 pub(super) struct Upbringing {
     /// The program.
     pub(super) program: PathBuf,
-    /// What each is told first.
+    /// The first message to each child.
     pub(super) beginning: Beginning,
-    /// Threads of each for what has no threads of its own.
+    /// Threads of each child for work without dedicated threads.
     pub(super) n_threads: usize,
-    /// Most children that rest.
+    /// Most children that rest at the same time.
     pub(super) most_resting: usize,
 }
 
@@ -48,17 +49,17 @@ struct Shared {
 
 #[derive(Debug, Default)]
 struct Waiting {
-    /// Has not computed yet.
+    /// A child that has not computed yet.
     spare: Option<Child>,
-    /// Have computed; the one that was given back last is the last.
+    /// Children that have computed, the one that was given back last at the end.
     resting: Vec<Child>,
 }
 
-/// What the thread is asked that starts children.
+/// A request to the thread that starts children.
 enum Order {
-    /// To see to it that there is a spare one.
+    /// Ensure that there is a spare child.
     Spare,
-    /// To start one for this caller.
+    /// Start a child for this caller.
     Now(SyncSender<io::Result<Child>>),
 }
 
@@ -77,12 +78,13 @@ impl Children {
     /// Starts the first child.
     ///
     /// # Errors
-    /// If it does not start.
+    /// If the child does not start.
     pub(super) fn start(upbringing: Upbringing) -> io::Result<(Self, Confinement)> {
         let shared = Arc::new(Shared { upbringing, waiting: Mutex::default() });
         let (orders, received) = channel();
         let of_thread = Arc::clone(&shared);
-        // The kernel ends a child with the thread that has started it, so this one does nothing else, as long as the process lives.
+        // The kernel ends a child when the thread that started it ends, so this thread does nothing else and lives as
+        // long as the process.
         std::thread::Builder::new().name("children".to_owned()).spawn(move || raise(&of_thread, &received))?;
         let children = Children { shared, orders };
         let first = children.started()?;
@@ -91,7 +93,7 @@ impl Children {
         Ok((children, confinement))
     }
 
-    /// Waits for a child that is started now.
+    /// Waits for a new child to start.
     fn started(&self) -> io::Result<Child> {
         let (sender, receiver) = sync_channel(1);
         self.orders.send(Order::Now(sender)).map_err(io::Error::other)?;
@@ -112,7 +114,7 @@ impl Children {
         Ok(child)
     }
 
-    /// The resting child that knows most of these files; the one that rested least if several do.
+    /// The resting child that knows most of these files; among equals, the one that has rested for the shortest time.
     fn rested(&self, owner: &str, hashes: &[[u8; 32]]) -> Option<Child> {
         loop {
             let mut waiting = self.shared.lock();
@@ -139,12 +141,12 @@ impl Children {
             Some(child) => child,
             None => self.started()?,
         };
-        // Its successor starts while it computes.
+        // The next spare child starts while this one computes.
         let _ = self.orders.send(Order::Spare);
         Ok(child)
     }
 
-    /// Takes a child back after a job that it has answered.
+    /// Takes a child back after it has answered a job.
     pub(super) fn give_back(&self, mut child: Child, kept: KeptSurfaces) {
         if child.growth(kept.bytes) > GROWTH {
             return end(child, "grown");
@@ -161,7 +163,7 @@ impl Children {
     }
 }
 
-/// Kills a child, for this reason.
+/// Kills a child and counts the reason.
 pub(super) fn end(child: Child, reason: &'static str) {
     drop(child);
     ended(reason);
@@ -172,7 +174,7 @@ pub(super) fn ended(reason: &'static str) {
     metrics::counter!("homolog_children_ended_total", "reason" => reason).increment(1);
 }
 
-/// Starts children on order, and ends those that have rested long, until nobody orders any more.
+/// Starts children on request, and ends those that have rested too long, until the pool is dropped.
 fn raise(shared: &Shared, orders: &Receiver<Order>) {
     loop {
         match orders.recv_timeout(ROUND) {
@@ -184,7 +186,7 @@ fn raise(shared: &Shared, orders: &Receiver<Order>) {
                 if is_missing {
                     match shared.start() {
                         Ok(child) => shared.lock().spare = Some(child),
-                        // The next one who needs it starts it, or hears why that fails.
+                        // The next caller that needs a child starts it or receives the error.
                         Err(error) => tracing::warn!(%error, "no spare process for computations"),
                     }
                 }

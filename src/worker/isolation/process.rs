@@ -1,4 +1,4 @@
-//! One child, as its parent sees it: started, asked, bounded, killed, and asked after its death what it died of.
+//! One child, as its parent sees it: start, requests, limits, end, and the cause of its death.
 
 use super::limits::{self, Bounds};
 use super::messages::{Beginning, Confinement, KeptSurfaces, Outcome, Request, Told};
@@ -12,17 +12,17 @@ use std::path::Path;
 use std::process::{Child as Process, ChildStderr, Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
-/// How often a parent that waits looks whether it should stop.
+/// How often a waiting parent checks whether it should stop.
 const LOOK: Duration = Duration::from_millis(20);
 /// How long a child may take to start.
 const START: Duration = Duration::from_secs(20);
 /// How long a child that has closed its connection may take to end.
 const ENDING: Duration = Duration::from_secs(5);
-/// Bytes of the standard error of a dead child that are read.
+/// Bytes of a dead child's standard error that are read.
 const LAST_WORDS: u64 = 4096;
-/// Files that a child is remembered to have served.
+/// Files that the parent remembers for each child.
 const REMEMBERED: usize = 64;
-/// What a child may tell in the head of a frame, bytes: reports about inputs, never surfaces.
+/// Longest head of a frame from a child, bytes: it holds reports on inputs, never surfaces.
 const LONGEST_HEAD: u32 = 8 << 20;
 /// The name of the hidden command, and the variable with the number of the process that started it.
 pub const COMMAND: &str = "compute-child";
@@ -34,22 +34,22 @@ const OUT_OF_TIME: i32 = 24;
 /// Why a request has no answer.
 #[derive(Debug)]
 pub(super) enum Broken {
-    /// The caller wanted it to stop.
+    /// The caller stopped the request.
     Stopped,
-    /// The connection ended, or what came made no sense.
+    /// The connection ended, or a frame was malformed.
     Lost(FrameError),
 }
 
-/// What a child died of.
+/// The cause of a child's death.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Death {
     /// An allocation failed.
     Memory,
-    /// Its processor time was over.
+    /// It used up its processor time.
     Time,
-    /// Something outside killed it: an operator, or the kernel for want of memory.
+    /// Something outside killed it: an operator, or the kernel to free memory.
     Killed,
-    /// A fault of the program, or of whoever took control of it.
+    /// A fault of the program, or of an attacker who controls it.
     Crashed {
         /// The signal, if there was one.
         signal: Option<i32>,
@@ -57,7 +57,7 @@ pub(super) enum Death {
 }
 
 impl Death {
-    /// The label of metrics.
+    /// The label of the cause in metrics.
     pub(super) fn reason(self) -> &'static str {
         match self {
             Death::Memory => "memory",
@@ -69,7 +69,7 @@ impl Death {
 
     fn of(status: ExitStatus, last_words: &str) -> Self {
         match status.signal() {
-            // The words of the standard library; no input can make a computation print, because nothing prints.
+            // The text of the standard library. No input can imitate it, because computations print nothing.
             Some(ABORTED) if last_words.contains("memory allocation of ") => Death::Memory,
             Some(OUT_OF_TIME) => Death::Time,
             Some(KILLED) => Death::Killed,
@@ -78,7 +78,7 @@ impl Death {
     }
 }
 
-/// Takes what a child tells before its last answer, and may answer through the connection.
+/// Receives what a child sends before its last answer, and may answer through the connection.
 pub(super) type Hear<'a> = dyn FnMut(Told, Vec<u8>, &mut dyn Write) -> io::Result<()> + 'a;
 
 /// A child that waits for requests. Dropping it kills it.
@@ -89,9 +89,9 @@ pub(super) struct Child {
     stderr: Option<ChildStderr>,
     scratch_bytes: u64,
     resident_at_start: u64,
-    /// What confines it.
+    /// The confinement of the child.
     pub(super) confinement: Confinement,
-    /// Whom it has computed for.
+    /// The owner for whom it has computed.
     pub(super) owner: Option<String>,
     /// Hashes of the files that it has computed with, the latest last.
     served: VecDeque<[u8; 32]>,
@@ -153,11 +153,11 @@ impl Child {
         }
     }
 
-    /// Sends a request and takes what the child tells, until its last answer. `hear` gets everything in between, and may
-    /// answer through its last argument. Frames may have bodies of `longest_body` bytes together.
+    /// Sends a request and receives the messages of the child until its last answer. `hear` gets every message in
+    /// between, and may answer through its last argument. Frames may have bodies of `longest_body` bytes together.
     ///
     /// # Errors
-    /// [`Broken`]; the child is of no use any more.
+    /// [`Broken`]; the child cannot be used any more.
     pub(super) fn ask(
         &mut self,
         request: &Request,
@@ -170,7 +170,7 @@ impl Child {
         let mut patient = Patient { stream: &self.stream, stop };
         let broken = |error: FrameError| if stop() { Broken::Stopped } else { Broken::Lost(error) };
         write_frame(&mut patient, request, body).map_err(|error| broken(error.into()))?;
-        // An answer takes no more memory here than the computation may take there.
+        // An answer may take no more memory here than the computation may take in the child.
         let mut left = bounds.memory_bytes;
         loop {
             let longest = Longest { head: LONGEST_HEAD, body: left };
@@ -186,12 +186,12 @@ impl Child {
         }
     }
 
-    /// Whether it still runs.
+    /// Whether the child still runs.
     pub(super) fn is_alive(&mut self) -> bool {
         matches!(self.process.try_wait(), Ok(None))
     }
 
-    /// Remembers that it has computed with the files of these hashes.
+    /// Remembers that the child has computed with the files of these hashes.
     pub(super) fn serves(&mut self, hashes: &[[u8; 32]]) {
         for hash in hashes {
             self.served.retain(|served| served != hash);
@@ -202,12 +202,12 @@ impl Child {
         }
     }
 
-    /// How many of these files it has computed with.
+    /// How many of these files the child has computed with.
     pub(super) fn n_known(&self, hashes: &[[u8; 32]]) -> usize {
         hashes.iter().filter(|hash| self.served.contains(hash)).count()
     }
 
-    /// By how much it has grown since it started, besides the surfaces that it keeps, bytes.
+    /// How much the child has grown since it started, besides the surfaces that it keeps, bytes.
     pub(super) fn growth(&self, kept_bytes: u64) -> u64 {
         self.resident().saturating_sub(self.resident_at_start).saturating_sub(kept_bytes)
     }
@@ -216,7 +216,7 @@ impl Child {
         limits::memory_of(Some(self.process.id())).map_or(0, |memory| memory.resident)
     }
 
-    /// What a child whose connection has ended died of; one that lives on is killed.
+    /// The cause of death of a child whose connection has ended. A child that still runs is killed.
     pub(super) fn end(mut self) -> Death {
         let began = Instant::now();
         let mut status = None;
@@ -227,7 +227,7 @@ impl Child {
                 Err(_) => break,
             }
         }
-        // One that has closed its connection and lives is as good as dead.
+        // A child that has closed its connection but still runs counts as dead.
         let Some(status) = status else { return Death::Crashed { signal: None } };
         let mut words = Vec::new();
         if let Some(stderr) = self.stderr.take() {
@@ -239,7 +239,7 @@ impl Child {
 
 impl Drop for Child {
     fn drop(&mut self) {
-        // It leads a group of its own, in which nothing else can be.
+        // The child leads its own group, which cannot contain any other process.
         if let Ok(Some(group)) = i32::try_from(self.process.id()).map(rustix::process::Pid::from_raw)
             && self.is_alive()
         {
@@ -250,7 +250,7 @@ impl Drop for Child {
     }
 }
 
-/// A connection that looks whether to stop while it waits.
+/// A connection that checks while it waits whether to stop.
 struct Patient<'a> {
     stream: &'a UnixStream,
     stop: &'a dyn Fn() -> bool,

@@ -1,11 +1,11 @@
-//! Frames between a process and its children: a head in JSON and a body of bytes, each with its length before it.
+//! Frames between a process and its children: a JSON head and a body of bytes, preceded by their lengths.
 //!
 //! ```text
 //! length of the head (u32) | length of the body (u64) | head | body          numbers in little-endian order
 //! ```
 //!
-//! Whoever reads states how long either may be. Memory grows with the bytes that arrive, never with a length that is only
-//! claimed.
+//! The reader states how long head and body may be. Memory grows with the bytes that arrive, never with a length that
+//! is only claimed.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -17,27 +17,27 @@ const LENGTHS: usize = 12;
 /// How long a frame may be, bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Longest {
-    /// Its head.
+    /// Longest head.
     pub(super) head: u32,
-    /// Its body.
+    /// Longest body.
     pub(super) body: u64,
 }
 
 impl Longest {
-    /// What a child accepts: the process that started it has bounded what it sends.
+    /// Limits of a child for frames from its parent: none, because the parent bounds what it sends.
     pub(super) const FROM_PARENT: Longest = Longest { head: u32::MAX, body: u64::MAX };
 }
 
 /// Why no frame was read.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum FrameError {
-    /// There is none: the other side has closed the connection between two frames.
+    /// The other side has closed the connection between two frames.
     #[error("the connection was closed")]
     Closed,
     /// The connection failed, or was closed within a frame.
     #[error("a frame cannot be read: {0}")]
     Io(#[from] io::Error),
-    /// It is longer than it may be.
+    /// The frame is longer than allowed.
     #[error("a frame has a {part} of {length} bytes, of which {most} are allowed")]
     TooLong {
         /// `head` or `body`.
@@ -60,7 +60,7 @@ pub(super) fn write_frame(writer: &mut impl Write, head: &impl Serialize, body: 
     let head = serde_json::to_vec(head)?;
     let head_length = u32::try_from(head.len()).map_err(io::Error::other)?;
     let body_length: u64 = body.iter().map(|part| part.len() as u64).sum();
-    // One call for a frame without a body, of which a computation sends thousands.
+    // One write for a frame without a body: a computation sends thousands of these.
     let mut start = Vec::with_capacity(LENGTHS + head.len());
     start.extend_from_slice(&head_length.to_le_bytes());
     start.extend_from_slice(&body_length.to_le_bytes());
@@ -81,7 +81,7 @@ pub(super) fn read_frame<H: DeserializeOwned>(
     longest: Longest,
 ) -> Result<(H, Vec<u8>), FrameError> {
     let mut lengths = [0; LENGTHS];
-    // The first byte alone: whether there is another frame.
+    // The first byte is read alone, to see whether there is another frame.
     if reader.read(&mut lengths[..1])? == 0 {
         return Err(FrameError::Closed);
     }

@@ -1,12 +1,13 @@
-//! What a child gives up before it reads anything that a client has sent: files, connections, programs, other processes.
+//! Confinement of a child before it reads any bytes of clients: files, connections, programs, other processes.
 //!
-//! Two walls, each with what the kernel has: Landlock, which knows files and connections, and a filter of system calls, which
-//! also knows processes. The filter is a list of what is refused, not of what is allowed: a new version of the system's
-//! library may use other calls to compute, but needs none of these. Memory, threads, and the pipe to the parent stay.
+//! There are two barriers, each as strong as the kernel supports: Landlock, which controls files and connections, and a
+//! filter of system calls, which also controls processes. The filter lists the refused calls, not the allowed ones: a
+//! new version of the system's library may use other calls to compute, but it needs none of the refused ones. The child
+//! keeps its memory, its threads, and the pipe to the parent.
 
 use super::messages::Confinement;
 
-/// Confines this process for good, as far as the kernel can. To be called while it has one thread.
+/// Confines this process permanently, as far as the kernel can. Must be called while the process has one thread.
 pub(super) fn enter() -> Confinement {
     #[cfg(target_os = "linux")]
     return Confinement { landlock: linux::refuse_files().unwrap_or(false), seccomp: linux::refuse_calls().is_some() };
@@ -14,7 +15,7 @@ pub(super) fn enter() -> Confinement {
     Confinement::default()
 }
 
-/// Tries what [`enter`] refuses; the names of what was possible nevertheless. Leaves nothing behind.
+/// Tries what [`enter`] refuses. Returns the names of the actions that succeeded. Leaves nothing behind.
 pub(super) fn attempt() -> Vec<String> {
     let mut possible = Vec::new();
     let mut note = |what: &str, done: bool| {
@@ -32,7 +33,7 @@ pub(super) fn attempt() -> Vec<String> {
     }
     note("make a folder", std::fs::create_dir(&path).is_ok_and(|()| std::fs::remove_dir(&path).is_ok()));
     note("listen on a port", std::net::TcpListener::bind("127.0.0.1:0").is_ok());
-    // Nobody listens there, but a socket that can be made says "refused".
+    // Nobody listens on this port, but a socket that can be created gets the answer "refused".
     let connected = std::net::TcpStream::connect("127.0.0.1:9");
     let refused = |error: &std::io::Error| error.kind() == std::io::ErrorKind::ConnectionRefused;
     note("connect", connected.is_ok() || connected.is_err_and(|error| refused(&error)));
@@ -54,10 +55,10 @@ mod linux {
     };
     use std::collections::BTreeMap;
 
-    /// What Landlock is asked for; an older kernel refuses what it knows of this.
+    /// The requested version of Landlock; an older kernel restricts the part that it supports.
     const ASKED: ABI = ABI::V6;
 
-    /// Calls that no computation makes.
+    /// System calls that no computation makes.
     const REFUSED: &[libc::c_long] = &[
         // Files.
         libc::SYS_openat,
@@ -91,7 +92,7 @@ mod linux {
         libc::SYS_chroot,
         libc::SYS_unshare,
         libc::SYS_setns,
-        // Connections; those that are open stay.
+        // Connections; open ones stay open.
         libc::SYS_socket,
         libc::SYS_socketpair,
         libc::SYS_connect,
@@ -119,9 +120,9 @@ mod linux {
         libc::SYS_msgget,
         libc::SYS_semget,
         libc::SYS_mq_open,
-        // Its own limits.
+        // The process's own limits.
         libc::SYS_setrlimit,
-        // Doors of the kernel that are wide and rarely used.
+        // Powerful and rarely used interfaces of the kernel.
         libc::SYS_bpf,
         libc::SYS_perf_event_open,
         libc::SYS_userfaultfd,
@@ -142,7 +143,7 @@ mod linux {
         libc::SYS_personality,
     ];
 
-    /// The same by their older names, which other processors do not have.
+    /// Older names of these calls, which other processors do not have.
     #[cfg(target_arch = "x86_64")]
     const REFUSED_OLDER: &[libc::c_long] = &[
         libc::SYS_open,
@@ -189,15 +190,16 @@ mod linux {
             let condition = SeccompCondition::new(argument, SeccompCmpArgLen::Qword, operator, value).ok()?;
             SeccompRule::new(vec![condition]).ok()
         };
-        // A thread, but no process.
+        // Threads are allowed, processes are not.
         let thread = libc::CLONE_THREAD as u64;
         rules.insert(libc::SYS_clone, vec![rule(0, SeccompCmpOp::MaskedEq(thread), 0)?]);
-        // Its limits may be read.
+        // Reading its own limits is allowed.
         rules.insert(libc::SYS_prlimit64, vec![rule(2, SeccompCmpOp::Ne, 0)?]);
-        // It may abort.
+        // Aborting itself is allowed.
         rules.insert(libc::SYS_tgkill, vec![rule(0, SeccompCmpOp::Ne, u64::from(std::process::id()))?]);
         apply(rules, libc::EPERM)?;
-        // The arguments of this one are in memory, where a filter cannot see them; the library then takes the older one.
+        // The arguments of `clone3` are in memory, where a filter cannot see them; the library then uses the older
+        // `clone`.
         apply(BTreeMap::from([(libc::SYS_clone3, Vec::new())]), libc::ENOSYS)
     }
 
@@ -212,7 +214,7 @@ mod linux {
     pub(super) fn attempt(note: &mut impl FnMut(&str, bool)) {
         use rustix::process::{Pid, Resource, Signal, getrlimit, kill_process, setrlimit};
         note("raise its limits", setrlimit(Resource::Data, getrlimit(Resource::Data)).is_ok());
-        // Signal 28 (SIGWINCH) is ignored by all who do not ask for it.
+        // Processes ignore signal 28 (SIGWINCH) unless they ask for it.
         let parent = rustix::process::getppid().unwrap_or(Pid::INIT);
         note("send a signal", kill_process(parent, Signal::WINCH).is_ok());
     }

@@ -21,7 +21,7 @@ on_both!(
 );
 on_postgres!(a25_a_process_with_other_blobs_does_not_start, a25_an_input_that_is_gone_fails_its_job_by_name);
 
-/// The clock three hours back is all that was stored three hours ahead.
+/// Setting the clock back is simulated by moving all stored times three hours ahead.
 async fn a24_a_clock_that_is_set_back_keeps_the_order_of_the_queue(backend: Backend) {
     let f = Fixture::open(backend).await;
     let database = f.site.database().await;
@@ -59,8 +59,8 @@ async fn a24_a_lost_lease_of_a_clock_that_was_set_back_is_taken_back(backend: Ba
     assert_eq!(f.state(id).await, JobState::Queued);
 }
 
-/// Every wait that is stored, by how long it is at most, ms. Each of them is there when it is set back; those of webhooks and of run
-/// times say themselves how long they are.
+/// Every stored wait: table, column, and its longest duration, ms. Each of them exists when the clock is set back; for
+/// webhooks and run times the duration is stored in the row.
 const WAITS: [(&str, &str, i64); 8] = [
     ("webhook_deliveries", "next_at", 7_000),
     ("webhooks", "next_at", 9_000),
@@ -75,7 +75,8 @@ const WAITS: [(&str, &str, i64); 8] = [
 async fn a24_no_wait_is_longer_after_the_clock_was_set_back_than_it_was_meant_to_be(backend: Backend) {
     let f = Fixture::open(backend).await;
     let database = f.site.database().await;
-    // A job that runs, a hold, a request in progress, a ticket, a blob whose removal was begun, a delivery that is repeated.
+    // A running job, a hold, a request in progress, a ticket, a blob whose removal has begun, and a delivery that is
+    // retried.
     f.add(0).await;
     f.claim(LONG).await;
     let key = ArtifactKey::of(&f.tenant, b"held");
@@ -110,7 +111,7 @@ async fn a24_no_wait_is_longer_after_the_clock_was_set_back_than_it_was_meant_to
     f.store.end_turn(&webhook.id, 4, Duration::from_secs(9)).await.unwrap();
     assert_eq!(f.store.bound_waits().await.unwrap(), 0, "no wait is too long while the clock goes on");
 
-    // The clock three hours back is all that was stored three hours ahead.
+    // Setting the clock back is simulated by moving all stored times three hours ahead.
     for (table, column, _) in WAITS {
         database.execute(&format!("UPDATE {table} SET {column} = {column} + 10800000")).await;
     }
@@ -119,14 +120,14 @@ async fn a24_no_wait_is_longer_after_the_clock_was_set_back_than_it_was_meant_to
     assert_eq!(f.store.bound_waits().await.unwrap(), WAITS.len() as u64);
     assert_eq!(f.store.bound_waits().await.unwrap(), 0);
     for (table, column, longest) in WAITS {
-        // When the job was made is the present, or before it.
+        // A job was created at the present time or before it.
         let wait = format!("SELECT MAX({column}) - (SELECT MAX(created_at) FROM jobs) FROM {table}");
         let wait = database.number(&wait).await;
         let slack = i64::try_from(SOON.as_millis()).unwrap();
         assert!(wait <= longest + slack, "{table}.{column} waits {wait} ms, not {longest}");
         assert!(wait >= longest, "{table}.{column} waits {wait} ms, less than it was meant to");
     }
-    // A turn that ended with its process waits no longer either.
+    // A turn that ended with its process does not wait any longer either.
     database.execute("UPDATE webhook_deliveries SET next_at = 0").await;
     database.execute("UPDATE webhooks SET next_at = 0").await;
     f.store.claim_turn(&limits).await.unwrap().unwrap();
@@ -139,7 +140,7 @@ async fn a24_no_wait_is_longer_after_the_clock_was_set_back_than_it_was_meant_to
 async fn a24_nothing_is_removed_after_a_jump_until_somebody_says_that_the_clock_is_right(backend: Backend) {
     let f = Fixture::open(backend).await;
     assert_eq!(f.store.check_clock(false).await.unwrap(), ClockState::Plausible);
-    // The clock 900 days ahead is all that was stored 900 days back.
+    // A clock 900 days ahead is simulated by moving all stored times 900 days back.
     let database = f.site.database().await;
     database.execute("UPDATE facts SET number = number - 77760000000 WHERE name = 'clock'").await;
     for store in [f.store.as_ref(), &f.another().await] {
@@ -153,7 +154,7 @@ async fn a24_nothing_is_removed_after_a_jump_until_somebody_says_that_the_clock_
     assert!(f.store.purge(&retention, 10, false).await.unwrap().is_nothing());
 }
 
-/// The service itself, whose clock jumps ahead by 900 days while it runs and when it starts again.
+/// The service itself, whose clock jumps 900 days ahead while it runs and when it starts again.
 #[tokio::test]
 #[ignore = "needs faketime"]
 async fn a24_a_service_whose_clock_jumps_ahead_keeps_its_results() {
@@ -181,7 +182,7 @@ async fn a24_a_service_whose_clock_jumps_ahead_keeps_its_results() {
     assert!(node.log().contains("the clock has jumped"), "{}", node.log());
     let metrics = client.get("/metrics").await.unwrap().text().await.unwrap();
     assert!(metrics.contains("homolog_clock_jumped 1"), "{metrics}");
-    // Jobs go on, and nothing was removed; nor by a process that starts now.
+    // Jobs continue, and nothing is removed, not even by a process that starts now.
     let later = client.submit(steps(1, 1)).await;
     client.until_succeeded(&later, SOON).await;
     node.kill();
@@ -190,7 +191,7 @@ async fn a24_a_service_whose_clock_jumps_ahead_keeps_its_results() {
     tokio::time::sleep(Duration::from_secs(3)).await;
     assert_eq!(clock_of(&client).await, "jumped");
     assert!(client.get(&format!("/v1/jobs/{id}/result")).await.unwrap().status().is_success());
-    // Three hours back: what was queued before runs, too.
+    // Three hours back: jobs that were queued earlier also run.
     drop(node);
     set("+0d");
     let node = site.node("serve", &["--workers", "0"], &clock).unwrap_or_else(|NotStarted(log)| panic!("{log}"));
@@ -220,7 +221,7 @@ async fn a25_an_input_that_is_gone_fails_its_job_by_name() {
     let front = site.serve(&["--workers", "0"]);
     let client = site.client(&front);
     let id = client.submit(steps(1, 1)).await;
-    // What another process finds whose store lost the blob.
+    // Removes the blob of the source, as if the store of the worker had lost it.
     let hash = site.database().await.texts("SELECT source FROM jobs").await.remove(0);
     let hash = serde_json::from_str::<serde_json::Value>(&hash).unwrap()["hash"].as_str().unwrap().to_owned();
     let key = homolog::jobs::ArtifactKey::of_hash(&homolog::jobs::Tenant::default(), &hash).unwrap();

@@ -136,7 +136,7 @@ async fn a15_sqlite() {
     client.until_succeeded(&id, SOON).await;
 }
 
-/// Without any space the service starts and says why it takes nothing, and a purge frees what it can.
+/// Without any space the service starts and reports why it refuses submissions, and a purge frees space.
 #[tokio::test]
 #[ignore = "needs root, to mount a small disk"]
 async fn a15_a_service_and_a_purge_start_on_a_full_disk() {
@@ -199,7 +199,7 @@ async fn a15_the_disk_of_the_database_is_full() {
             other => panic!("{other}: {body}"),
         }
         assert!(began.elapsed() < Duration::from_secs(120), "the disk never gets full");
-        // Fills the log of the database faster than jobs do.
+        // Fills the log of the database faster than jobs would.
         database
             .try_execute("CREATE TABLE IF NOT EXISTS ballast AS SELECT repeat('x', 100) FROM generate_series(1, 20000)")
             .await;

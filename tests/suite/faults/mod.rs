@@ -1,9 +1,9 @@
-//! Fault injection: what the service guarantees when something breaks.
+//! Fault injection: the guarantees of the service when something breaks.
 //!
 //! The name of each test begins with its number, `a01` to `a25`, and ends with its backend: `sqlite` (with a folder of
-//! blobs) or `postgres` (with an S3 server). `make test` runs them in a short form, `make faults` in full length. Those
-//! that need PostgreSQL, libfaketime or root are `#[ignore]`d; both commands run them if `scripts/test` finds what they
-//! need.
+//! blobs) or `postgres` (with an S3 server). `make test` runs them in a short form, `make faults` in full length. Tests
+//! that need PostgreSQL, libfaketime or root are `#[ignore]`d; both commands run them if `scripts/test` finds their
+//! requirements.
 //!
 //! Infrastructure: [`node`] (the service as processes that can be killed), [`postgres`] and [`s3`] (servers that stop
 //! with the test), [`proxy`] (a network that fails), [`disk`] (a disk that can be filled), [`site`] (all of them

@@ -88,7 +88,7 @@ impl Starting {
     }
 }
 
-/// The most memory that a process has had at a time so far, bytes.
+/// Peak memory of a process so far, bytes.
 pub(super) fn peak_memory_bytes(process: u32) -> u64 {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).unwrap();
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap();
@@ -129,12 +129,12 @@ impl Node {
         }
     }
 
-    /// Whether it runs.
+    /// Whether the process runs.
     pub(crate) fn is_running(&mut self) -> bool {
         self.process.try_wait().unwrap().is_none()
     }
 
-    /// The most memory that it has had at a time so far, bytes.
+    /// Peak memory of the process so far, bytes.
     pub(crate) fn peak_memory_bytes(&self) -> u64 {
         peak_memory_bytes(self.process.id())
     }

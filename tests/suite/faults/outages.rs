@@ -26,7 +26,7 @@ on_postgres!(
 );
 on_postgres!(needs "needs PostgreSQL and faketime": a21_a_workers_wrong_clock_does_not_affect_leases);
 
-/// Maximum duration of a submission during an outage: that of one request to the blob store, with a margin.
+/// Maximum duration of a submission during an outage: the time of one request to the blob store, with a margin.
 const NO_HANG: Duration = Duration::from_secs(45);
 /// Maximum duration of a readiness check: supervisors poll often and have short timeouts.
 const READY: Duration = Duration::from_secs(10);

@@ -116,7 +116,7 @@ impl Cluster {
         self.server.as_mut().is_some_and(|server| server.try_wait().unwrap().is_none())
     }
 
-    /// The end of what the server logged.
+    /// The end of the server's log.
     pub(crate) fn log(&self) -> String {
         let text = fs::read_to_string(self.log_path()).unwrap_or_default();
         let lines: Vec<_> = text.lines().collect();

@@ -42,7 +42,7 @@ async fn a22_purged_jobs_are_removed_everywhere(backend: Backend) {
     let client = site.client(&node);
     is_gone(&client, &database, &id).await;
     assert_eq!(client.json(&format!("/v1/jobs/{other}/result")).await, neighbor);
-    // Nor is the result cached: an equal request is computed again.
+    // The result is not cached either: an equal request is computed again.
     let (status, job) = client.try_submit_files("its source", "its target", &parameters).await.unwrap();
     assert_eq!(status, 202, "{job}");
     let again = client.until_succeeded(&id_of(&job), SOON).await;
@@ -57,7 +57,7 @@ async fn is_gone(client: &Client, database: &Database, id: &str) {
         assert_eq!(status, 404, "{part}");
     }
     assert!(client.list().await.iter().all(|(listed, _)| listed != id));
-    // The audit log says that it was submitted and deleted, by its id alone.
+    // The audit log records its submission and deletion, by its id alone.
     let mut tables = database.tables_with(id).await;
     tables.retain(|(table, _)| table != "audit");
     assert_eq!(tables, [], "rows are left");

@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 use tempfile::TempDir;
 
-/// The lease of all nodes unless a test says otherwise.
+/// The lease of all nodes by default.
 pub(crate) const LEASE: Duration = Duration::from_secs(2);
 /// Maximum time for something that takes a lease, a poll and a round of housekeeping, on a loaded machine.
 pub(crate) const SOON: Duration = Duration::from_secs(20);
@@ -39,12 +39,12 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// The most memory that it has had at a time so far, bytes.
+    /// Peak memory of the process so far, bytes.
     pub(crate) fn peak_memory_bytes(&self) -> u64 {
         peak_memory_bytes(self.process.id())
     }
 
-    /// Whether it runs.
+    /// Whether the process runs.
     pub(crate) fn is_running(&mut self) -> bool {
         self.process.try_wait().unwrap().is_none()
     }
@@ -192,7 +192,7 @@ impl Site {
         }
     }
 
-    /// The names of all stored blobs, sorted, but for the mark of the store.
+    /// The names of all stored blobs, sorted, without the mark of the store.
     pub(crate) fn blobs(&self) -> Vec<String> {
         let root = match &self.s3 {
             None => self.data_dir().join("blobs"),

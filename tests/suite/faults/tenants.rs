@@ -12,7 +12,7 @@ on_both!(a19_resources_of_another_tenant_are_not_found);
 
 /// How often each answer is timed.
 const N_TIMED: usize = 41;
-/// By how much medians of the same may differ on a busy machine, beside half of themselves.
+/// Allowed difference between medians of equal requests on a busy machine, in addition to half of the medians.
 const NOISE: Duration = Duration::from_millis(4);
 
 /// A new key of this tenant, with all scopes.
@@ -91,7 +91,7 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
                 let mut response = request.send().await.unwrap();
                 let status = response.status().as_u16();
                 let text = if path == "/v1/events" && method == "get" {
-                    // Without an end: what arrives within a second, from the first change on.
+                    // A stream without an end: reads what arrives within a second after the first change.
                     let mut said = Vec::new();
                     while let Ok(Ok(Some(piece))) = timeout(Duration::from_secs(1), response.chunk()).await {
                         said.extend(piece);
@@ -115,7 +115,7 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
                     assert_eq!(status, 404, "{method} {path}");
                 }
                 if method == "get" {
-                    // In turns, so that whatever else the machine does befalls both.
+                    // Alternating, so that other work of the machine affects both equally.
                     let mut times = [Vec::new(), Vec::new()];
                     for _ in 0..N_TIMED {
                         for (times, id) in times.iter_mut().zip([&held, &absent]) {
@@ -139,7 +139,7 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
         }
     }
     assert!(n_asked > 15, "{n_asked} routes");
-    // Nor through content addresses: uploading the same bytes creates a new mesh of the other tenant.
+    // Content addresses reveal nothing either: uploading the same bytes creates a new mesh of the other tenant.
     let again = other.http.post(format!("{}/v1/meshes", node.base)).body("ply mesh of the owner").send().await.unwrap();
     assert_eq!(again.status(), 201, "the answer does not reveal that another tenant has these bytes");
     assert_eq!(owner.job(&job).await["state"], "succeeded");

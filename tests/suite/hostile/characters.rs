@@ -1,4 +1,5 @@
-//! NUL characters and long texts in everything that a client can write: answered with 4xx on both databases, never with 5xx.
+//! NUL characters and long texts in every field that a client can write: answered with 4xx on both databases, never
+//! with 5xx.
 
 use crate::faults::on_both;
 use crate::faults::site::{Backend, Site};

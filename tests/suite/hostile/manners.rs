@@ -1,4 +1,4 @@
-//! Small promises of the contract, each of which was once broken.
+//! Small promises of the contract, each a regression test.
 
 use crate::jobs_support::{TestService, form, problem};
 use futures_util::StreamExt;

@@ -1,4 +1,4 @@
-//! What one request takes of the process's memory.
+//! Memory that one request takes from the process.
 
 use crate::faults::client::Client;
 use crate::faults::site::{Backend, Site};
@@ -6,7 +6,8 @@ use reqwest::Response;
 
 /// Size of the hostile bodies, just below the limit for JSON.
 const BODY: usize = 31 << 20;
-/// What the process may take for any of them: its own memory, the body, and a copy of it while it is received.
+/// Most memory of the process during any of these requests: its own, the body, and a copy of the body while it is
+/// received.
 const MOST: u64 = 400 << 20;
 
 /// `head`, then as many copies of `entry` as fit, then `tail`.
@@ -63,7 +64,7 @@ async fn lists_and_labels_of_any_length_take_little_memory() {
 #[tokio::test]
 async fn bodies_that_are_read_at_the_same_time_share_one_stock_of_memory() {
     let site = Site::open(Backend::Sqlite);
-    // Room for two bodies of 31 MiB, counted twice: as they are, and decoded; for one of a single client.
+    // Enough memory for two bodies of 31 MiB, each counted as raw and decoded; enough for one body of a single client.
     let node = site.serve(&["--workers", "0", "--max-body-memory-bytes", "134217728", "--max-file-bytes", "16777216"]);
     let client = site.client(&node);
     let body = filled(r#"{"source":{"content_base64":""#, "AAAA", r#""},"target":{}}"#);

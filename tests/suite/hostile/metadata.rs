@@ -1,4 +1,4 @@
-//! Labels and references: the same limits on every way in.
+//! Labels and references: the same limits on every interface that accepts them.
 
 use crate::faults::on_both;
 use crate::faults::site::{Backend, SOON, Site};

@@ -1,5 +1,5 @@
-//! Valid requests with random damage: tokens, cursors, headers, multipart and JSON bodies. Whatever comes of it is an answer below
-//! 500, and a refusal is a problem document.
+//! Valid requests with random damage: tokens, cursors, headers, multipart and JSON bodies. Every answer is below 500,
+//! and a refusal is a problem document.
 
 use crate::jobs_support::TestService;
 use rand_core::Rng as _;
@@ -48,7 +48,7 @@ impl Chance {
         bytes
     }
 
-    /// The same for the value of a header, which has no control characters.
+    /// As [`Self::damaged`], for the value of a header, which has no control characters.
     fn damaged_header(&mut self, text: &str) -> HeaderValue {
         let mut bytes = self.damaged(text.as_bytes());
         bytes.retain(|byte| *byte == b'\t' || (*byte >= 32 && *byte != 127));
@@ -56,7 +56,7 @@ impl Chance {
     }
 }
 
-/// Bytes as they stand in a path or a query.
+/// Bytes as encoded in a path or a query.
 fn encoded(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("%{byte:02X}")).collect()
 }

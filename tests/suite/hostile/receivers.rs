@@ -1,4 +1,4 @@
-//! Receivers of webhooks that do not answer, and what they keep from others.
+//! Receivers of webhooks that do not answer, and their effect on other receivers.
 
 use crate::faults::on_both;
 use crate::faults::site::{Backend, Site};
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// A receiver that accepts everything and records when.
+/// A receiver that accepts everything and records the times.
 #[derive(Clone, Default)]
 struct Receiver(Arc<Mutex<Vec<(Instant, HeaderMap, String)>>>);
 
@@ -37,7 +37,7 @@ impl Receiver {
     }
 }
 
-/// An address that takes connections and never answers.
+/// An address that accepts connections and never answers.
 async fn hanging() -> String {
     let listener = tokio::net::TcpListener::bind("127.0.0.1:0").await.unwrap();
     let url = format!("http://{}/hook", listener.local_addr().unwrap());
@@ -83,7 +83,7 @@ async fn a_dead_receiver_delays_only_its_own_deliveries(backend: Backend) {
     for seed in 0..5 {
         submit(&dead, seed).await;
     }
-    // All of the tenant's share is busy with receivers that hang.
+    // Receivers that hang occupy all of the tenant's share.
     tokio::time::sleep(Duration::from_secs(3)).await;
     for seed in 0..3 {
         submit(&alive, seed).await;
@@ -107,7 +107,8 @@ async fn a_receiver_that_fails_is_left_alone_and_its_deliveries_keep_their_attem
     tokio::time::sleep(Duration::from_secs(4)).await;
     let log = service.json(&format!("/v1/webhooks/{id}/deliveries?page_size=100")).await;
     let attempts: u64 = log["deliveries"].as_array().unwrap().iter().map(|d| d["attempts"].as_u64().unwrap()).sum();
-    // A turn of 8, then single attempts with pauses of 0.1, 0.3, 0.9 and 2.7 s; without the breaker there were over 60.
+    // A turn of 8, then single attempts with pauses of 0.1, 0.3, 0.9 and 2.7 s; without the circuit breaker there would
+    // be over 60.
     assert!((3..=20).contains(&attempts), "{attempts}");
     service.end().await;
 }

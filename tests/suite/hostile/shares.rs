@@ -1,4 +1,5 @@
-//! What a tenant may have: requests a second, stored bytes, running jobs. More is refused with the numbers, or waits.
+//! Limits of a tenant: requests a second, stored bytes, running jobs. Above them, requests are refused with the
+//! numbers, and jobs wait.
 
 use crate::cli::homolog;
 use crate::jobs_support::{TestService, form, problem};
@@ -73,7 +74,7 @@ async fn no_tenant_runs_more_jobs_than_it_may(f: Fixture) {
         let settings = StoreSettings { max_running: Some(2), ..StoreSettings::default() };
         SqlStore::open(&f.site.location()).await.unwrap().with(settings)
     };
-    // Many processes at the same time, each with all jobs in view.
+    // Many concurrent processes, each of which sees all jobs.
     let mut claimers = Vec::new();
     for _ in 0..6 {
         let store = open().await;
@@ -101,7 +102,7 @@ async fn stored_bytes_count_each_blob_once(f: Fixture) {
     use homolog::jobs::{ArtifactKey, MeshStore as _};
     let other = Tenant::new("other").unwrap();
     assert_eq!(f.store.stored_bytes(&f.tenant).await.unwrap(), 0);
-    // Both inputs of every such job are blobs of one byte, the same ones.
+    // Both inputs of every such job are the same blobs of one byte.
     f.add(0).await;
     f.add(0).await;
     assert_eq!(f.store.stored_bytes(&f.tenant).await.unwrap(), 2);

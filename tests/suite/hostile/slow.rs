@@ -1,4 +1,4 @@
-//! Clients that send or read so slowly that others would wait for them.
+//! Clients that send or read so slowly that others would have to wait for them.
 
 use crate::jobs_support::{TestService, form};
 use serde_json::json;
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
-/// The beginning of a submission, on a connection on which nothing follows.
+/// Sends the beginning of a submission on a connection, and nothing more.
 async fn begin_submission(service: &TestService, key: Option<&str>) -> TcpStream {
     let mut stream = TcpStream::connect(service.base.strip_prefix("http://").unwrap()).await.unwrap();
     let key = key.map(|key| format!("authorization: Bearer {key}\r\n")).unwrap_or_default();

@@ -38,7 +38,7 @@ async fn probes_are_answered_while_clients_hold_all_connections() {
     let id = service.submit(json!({})).await;
     let mut streams = Vec::new();
     for _ in 0..4 {
-        // Each client has a connection of its own; the first keeps that of the submission.
+        // Each client has its own connection; the first one keeps the connection of the submission.
         let client = if streams.is_empty() { service.client.clone() } else { reqwest::Client::new() };
         streams.push(client.get(format!("{}/v1/jobs/{id}/events", service.base)).send().await.unwrap());
     }
@@ -54,7 +54,7 @@ async fn probes_are_answered_while_clients_hold_all_connections() {
     service.end().await;
 }
 
-/// What a stream still sends until it ends; `None` if it does not end within three seconds.
+/// The rest of a stream until it ends; `None` if it does not end within three seconds.
 async fn rest_of(mut stream: reqwest::Response) -> Option<String> {
     let mut text = String::new();
     let read = async {

@@ -1,4 +1,4 @@
-//! Studies of many subjects and covariates, read by many at once, and probes beside them.
+//! Studies of many subjects and covariates, read by many clients at once, and probes during these reads.
 
 use crate::faults::site::{Backend, Program, Site};
 use crate::jobs_support::TestService;
@@ -13,16 +13,16 @@ use std::time::{Duration, Instant};
 
 const N_SUBJECTS: usize = 1000;
 const N_COVARIATES: usize = 256;
-/// Reads at the same time.
+/// Concurrent reads.
 const N_READS: usize = 200;
-/// Reads, and as many decisions, at the same time.
+/// Concurrent reads, and the same number of concurrent decisions.
 const N_AT_ONCE: usize = 60;
-/// The memory of all answers that are not streamed, unless it is set.
+/// Default memory of all answers that are not streamed.
 const STOCK: u64 = 256 << 20;
-/// What the process may take beside what it had when the study was stored: the stock of answers, and as much again.
+/// Most additional memory of the process after the study was stored: the stock of answers, and the same amount again.
 const MOST: u64 = 512 << 20;
 
-/// The status and the document of a probe, which is answered within a second.
+/// The status and the document of a probe, which must be answered within a second.
 fn probe(address: &str, path: &str) -> (u16, String) {
     let began = Instant::now();
     let mut stream = TcpStream::connect(address).unwrap();
@@ -35,11 +35,11 @@ fn probe(address: &str, path: &str) -> (u16, String) {
     (status, answer)
 }
 
-/// A runtime whose only thread is kept busy answers nobody; the probes have a thread of their own.
+/// A runtime whose only thread is busy answers no requests; the probes have a separate thread.
 #[tokio::test]
 async fn probes_are_answered_while_nothing_else_is() {
     let service = TestService::start(&["--workers", "0", "--probe-listen", "127.0.0.1:0"]).await;
-    // Both answer, so that both have started.
+    // Both have started once both answer.
     for url in [&service.base, &service.probes] {
         assert_eq!(reqwest::get(format!("{url}/readyz")).await.unwrap().status(), 200);
     }
@@ -53,7 +53,7 @@ async fn probes_are_answered_while_nothing_else_is() {
     });
     let began = Instant::now();
     while !asking.is_finished() {
-        // Not a wait of the runtime: its thread does nothing else meanwhile.
+        // A blocking sleep, so that the runtime's thread does nothing else.
         std::thread::sleep(Duration::from_millis(5));
         assert!(began.elapsed() < Duration::from_secs(30), "no probe is answered");
     }
@@ -63,11 +63,11 @@ async fn probes_are_answered_while_nothing_else_is() {
     service.end().await;
 }
 
-/// A service with a study of [`N_SUBJECTS`] subjects that nobody computes.
+/// A service with a study of [`N_SUBJECTS`] subjects that no worker computes.
 struct LargeStudy {
     program: Program,
     client: reqwest::Client,
-    /// Where it answers probes.
+    /// The address of its probes.
     probes: String,
     /// Path of the study.
     path: String,
@@ -111,7 +111,7 @@ impl LargeStudy {
         (answer.status().as_u16(), answer.json().await.unwrap())
     }
 
-    /// The statuses of requests that are sent at once, while probes are answered; and how much more memory the service took.
+    /// The statuses of concurrent requests while probes are answered, and the additional memory of the service.
     async fn all_at_once(&self, requests: Vec<reqwest::RequestBuilder>) -> (Vec<u16>, u64) {
         let before = self.program.peak_memory_bytes();
         let (stop, probes) = (Arc::new(AtomicBool::new(false)), self.probes.clone());
@@ -152,7 +152,7 @@ async fn a_large_study_is_read_by_many_at_once_within_the_stock_and_in_pages() {
     let reads =
         (0..N_READS).map(|k| study.client.get(study.url(if k % 2 == 0 { "" } else { "/subjects?page_size=500" })));
     let (statuses, grown) = study.all_at_once(reads.collect()).await;
-    // Whoever cannot be served within the time that requests wait for memory is told to come again.
+    // A request that gets no memory within the waiting time is told to come again.
     assert!(statuses.iter().all(|status| [200, 503].contains(status)), "{statuses:?}");
     let n_served = statuses.iter().filter(|status| **status == 200).count();
     assert!(n_served >= N_READS / 4, "{n_served} were served");
@@ -195,7 +195,7 @@ async fn a_large_study_is_read_and_decided_on_by_many_at_once_in_little_memory()
     let n_answered = statuses.iter().filter(|status| **status < 300).count();
     assert!(n_answered >= 4, "{n_answered} were answered");
     assert!(grown < MOST, "{} MiB more", grown >> 20);
-    // Whoever waits is served; what was decided is there.
+    // Waiting requests are served, and the decisions are stored.
     let (status, read) = study.get("").await;
     assert_eq!(status, 200, "{read}");
     let subjects = read["subjects"].as_array().unwrap();

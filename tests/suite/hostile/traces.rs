@@ -1,4 +1,4 @@
-//! What stays of patients, and of secrets, in the data directory.
+//! Patient data and secrets that remain in the data directory.
 
 use crate::jobs_support::{TestService, form};
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// All files and folders below a folder, with it.
+/// A folder and all files and folders below it.
 fn everything_under(folder: &Path) -> Vec<PathBuf> {
     let mut found = vec![folder.to_owned()];
     for entry in fs::read_dir(folder).unwrap() {
@@ -30,7 +30,7 @@ fn files_with(folder: &Path, text: &str) -> Vec<PathBuf> {
 async fn only_the_user_of_the_service_can_read_its_files() {
     use std::os::unix::fs::PermissionsExt as _;
     let folder = std::sync::Arc::new(tempfile::tempdir().unwrap());
-    // As an operator, or an earlier version, may have made it.
+    // Permissions as an operator or an earlier version may have set them.
     fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
     let service = TestService::start_in(folder, &[]).await;
     let id = service.submit(json!({})).await;
@@ -82,7 +82,8 @@ async fn nothing_of_a_purged_job_is_left_in_the_files() {
     service.until_final(job["id"].as_str().unwrap()).await;
     let sent = service.client.post(format!("{}/v1/meshes", service.base)).body(upload).send().await.unwrap();
     assert_eq!(sent.status(), 201);
-    // By another process: whoever opens and closes a file of the database in this one releases the locks of the service.
+    // Searched by another process: opening and closing a file of the database in this process would release the locks
+    // of the service.
     let found_by_grep = |text: &str| {
         let done = std::process::Command::new("grep").args(["-rlaF", "-e", text]).arg(service.folder.path()).output();
         String::from_utf8(done.unwrap().stdout).unwrap()
@@ -90,11 +91,11 @@ async fn nothing_of_a_purged_job_is_left_in_the_files() {
     for text in texts {
         assert_ne!(found_by_grep(text), "", "{text} was stored");
     }
-    // While the service runs and reads.
+    // Purged while the service runs and reads.
     let arguments = ["purge", "--retain-results-days", "0.0000001", "--retain-jobs-days", "0.0000001"];
     let (code, said, stderr) = crate::backups::run(&arguments, service.folder.path()).await;
     assert!(code == Some(0) && said.contains("1 jobs"), "{said}{stderr}");
-    // The database with its log, the folder of blobs, and what was being written.
+    // The database with its log, the folder of blobs, and unfinished writes.
     for text in texts.into_iter().chain(["ply source", "ply aligned", "transform"]) {
         assert_eq!(found_by_grep(text), "", "{text:?} is still stored");
     }
@@ -111,7 +112,7 @@ async fn secrets_of_webhooks_are_sealed() {
     assert_eq!(files_with(service.folder.path(), &secret["whsec_".len()..]), [] as [PathBuf; 0]);
     let folder = service.end().await;
 
-    // An earlier version has stored it as it is: it is sealed at the next start.
+    // An earlier version has stored the secret unsealed: it is sealed at the next start.
     let options = sqlx::sqlite::SqliteConnectOptions::new().filename(folder.path().join("homolog.sqlite"));
     let pool = sqlx::SqlitePool::connect_with(options).await.unwrap();
     sqlx::query("UPDATE webhooks SET secret = $1").bind(&secret).execute(&pool).await.unwrap();

@@ -1,4 +1,4 @@
-//! One tenant with many jobs, and what another sees of it.
+//! One tenant with many jobs, and the effect on another tenant.
 
 use crate::jobs_support::{TestService, form};
 use serde_json::{Value, json};

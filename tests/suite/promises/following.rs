@@ -80,7 +80,7 @@ async fn cancel_is_prompt_and_a_retry_is_a_new_job(backend: Backend) {
     served.expect(served.client.post(&format!("/v1/jobs/{id}/cancel")).await.unwrap(), 202).await;
     let job = served.client.until_final(&id, SOON).await;
     assert_eq!((&job["state"], &job["cancel_requested"]), (&json!("cancelled"), &json!(true)));
-    // Under 1 s on a machine that does nothing else.
+    // Under 1 s on an otherwise idle machine.
     assert!(began.elapsed() < Duration::from_secs(3), "{:?}", began.elapsed());
     let retried = served.client.post(&format!("/v1/jobs/{id}/retry")).await.unwrap();
     assert!(retried.headers().contains_key("location"));
@@ -127,7 +127,7 @@ async fn results_are_not_ready_then_there_then_expired(backend: Backend) {
     let job = served.client.until_succeeded(&id, SOON).await;
     assert!(job["expires_at"].is_string(), "{job}");
     served.expect(served.get(&path).await, 200).await;
-    // The service purges by itself too, but not every second.
+    // The service also purges by itself, but not every second.
     tokio::time::sleep(Duration::from_secs(5)).await;
     let mut purge = crate::cli::homolog();
     purge.args(["purge", "--retain-results-days", "0.00005"]).envs(served.site.environment());

@@ -1,4 +1,4 @@
-//! Promises on results and on what the service says of itself, with the real program.
+//! Promises on results and on the service's description of itself, with the real program.
 
 use crate::cli::homolog;
 use crate::faults::client::Client;
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 on_both!(a_match_is_answered_in_every_format, methods_describe_their_parameters);
 
-/// What a result links to comes in these formats: as in the design of the API, with their media types.
+/// The formats of a result's links, with their media types, as in the API's design.
 const FORMATS: [(&str, &[(&str, &str)]); 3] = [
     (
         "correspondences",
@@ -105,7 +105,7 @@ async fn methods_describe_their_parameters(backend: Backend) {
                 && !one["description"].as_str().unwrap().is_empty()
                 && one["defaults"].is_object()
         );
-        // A reference into the document of the API: one schema for all methods, with every bound.
+        // A reference into the OpenAPI document: one schema for all methods, with every bound.
         let reference = one["parameters_schema"]["$ref"].as_str().unwrap();
         let document = client.json("/openapi.json").await;
         let schema = document.pointer(reference.strip_prefix("/openapi.json#").unwrap()).unwrap();
@@ -134,7 +134,7 @@ async fn methods_describe_their_parameters(backend: Backend) {
     );
     let metrics = client.get("/metrics").await.unwrap().text().await.unwrap();
     assert!(metrics.contains("# HELP homolog_jobs "), "{metrics}");
-    // Everything that the page loads is on the service.
+    // The service serves every file that the page loads.
     let page = client.get("/docs/").await.unwrap();
     assert_eq!(page.status(), 200);
     let page = page.text().await.unwrap();

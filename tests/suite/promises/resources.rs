@@ -22,12 +22,12 @@ on_both!(
     webhooks_are_signed_repeated_and_disabled_and_changes_are_in_order,
 );
 
-/// The members that a job has at some time of its life.
+/// The members that a job can have.
 const MEMBERS: &str = "id state method method_version parameters source target seed priority labels external_ref attempt max_attempts \
                        progress eta_ms queue_position energy_latest created_at started_at finished_at expires_at deadline_at \
                        cancel_requested cached error links";
 
-/// Checks names and times, at any depth. What a client has named itself is left out.
+/// Checks names and times, at any depth. Names chosen by a client are skipped.
 fn check_names(value: &Value, place: &str) {
     match value {
         Value::Object(members) => {
@@ -121,7 +121,7 @@ async fn documents_follow_the_conventions(backend: Backend) {
     assert_eq!(known["status"], 422, "the type of a problem leads to its description");
 }
 
-/// All items of a list, one a page.
+/// All items of a list, read one item a page.
 async fn paged(served: &Served, path: &str, member: &str) -> Vec<Value> {
     let (mut all, mut token) = (Vec::new(), String::new());
     for _ in 0..20 {

@@ -22,7 +22,13 @@ pub(super) fn plain(message: &str) -> String {
 }
 
 /// What sentences call a parameter of a request, and the option of the command line that sets it.
-const OPTIONS: [(&str, &str); 5] = [
+const OPTIONS: [(&str, &str); 8] = [
+    ("(method: balanced)", "(--method balanced)"),
+    ("with the method balanced", "with --method balanced"),
+    (
+        "Look at both surfaces in corresponding colors;",
+        "Look at both surfaces in corresponding colors (--html PAGE.html);",
+    ),
     ("(input.labels)", "(--label NUMBER or NAME)"),
     ("input.labels chooses", "--label chooses"),
     ("(input.repair)", "(--repair)"),

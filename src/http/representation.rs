@@ -16,7 +16,8 @@ use axum::response::{IntoResponse, Response};
 use serde_json::json;
 
 /// A page of this service may run its own scripts, as its own policy says, but not in the name of this service.
-pub(super) const PAGE_POLICY: HeaderValue = HeaderValue::from_static("sandbox allow-scripts; frame-ancestors 'none'");
+pub(super) const PAGE_POLICY: HeaderValue =
+    HeaderValue::from_static("sandbox allow-scripts allow-downloads; frame-ancestors 'none'");
 
 /// The headers of a format.
 struct Form {

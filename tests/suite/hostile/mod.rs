@@ -1,7 +1,7 @@
 //! Clients with ordinary rights that do harm: what one of them may take from the service and from the others.
 //!
 //! A file for each kind: [`memory`] (bodies and downloads), [`slow`] (uploads and downloads that stall), [`hosts`] (web pages),
-//! [`metadata`] (labels and references), [`characters`] (NUL and long texts), [`receivers`] (webhooks), [`turns`] (queues), [`shares`] (requests, stored bytes and running jobs of a tenant),
+//! [`metadata`] (tags and references), [`characters`] (NUL and long texts), [`receivers`] (webhooks), [`turns`] (queues), [`shares`] (requests, stored bytes and running jobs of a tenant),
 //! [`streams`] (event streams and probes), [`studies`] (definitions of studies, and probes beside them), [`presence`] (requests whose process died), [`traces`] (what stays of patients), [`manners`] (small promises of the contract), [`mutations`] (requests with random damage).
 
 mod characters;

@@ -8,8 +8,8 @@
 #              the record is target/soak.md
 # make memory  attack the service in a memory group, or measure its memory if groups are unavailable: 2 GiB with workers, 512 MiB
 #              without; SECONDS=60; the record is target/memory.md
-# make check   words (scripts/words.txt), formatting, lints, documentation, unused dependencies, licenses and sources of dependencies
-#              (deny.toml)
+# make check   words (scripts/words.txt), packages of the library crates, formatting, lints, documentation, unused dependencies,
+#              licenses and sources of dependencies (deny.toml)
 # make sbom    software bill of materials of the program, target/homolog.cdx.json (CycloneDX)
 # make advisories  known vulnerabilities of dependencies; needs the internet
 # make contract  test a running service on each store against its OpenAPI document with schemathesis; EXAMPLES=50: requests for
@@ -96,6 +96,7 @@ memory: build
 check:
 	@scripts/setup check
 	scripts/words
+	scripts/packages
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items

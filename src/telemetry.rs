@@ -50,6 +50,7 @@ enum Kind {
 const METRICS: &[(&str, Kind, &str)] = &[
     ("homolog_build_info", Kind::Gauge, "1, with the version of the program"),
     ("homolog_jobs", Kind::Gauge, "Jobs that are queued or running, of the whole service"),
+    ("homolog_workers", Kind::Gauge, "Processes that run jobs, of the whole service: busy with some, or idle"),
     ("homolog_queue_oldest_age_seconds", Kind::Gauge, "How long the oldest queued job has waited"),
     ("homolog_job_store_up", Kind::Gauge, "Whether the database answered when the metrics were read"),
     ("homolog_clock_jumped", Kind::Gauge, "Whether the database's clock is not believed, because it was set by days"),

@@ -2,7 +2,7 @@
 
 use crate::place::Place;
 use crate::{Latencies, Scale};
-use homolog::jobs::metadata::Labels;
+use homolog::jobs::metadata::Tags;
 use homolog::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, JobId, JobInput, JobQueue, JobWriter, NewJob, Outcome, Tenant,
     WorkerId,
@@ -39,7 +39,7 @@ pub(crate) fn new_job(tenant: &Tenant, priority: i32, label: &str) -> NewJob {
         source: input('a'),
         target: input('b'),
         priority,
-        labels: Labels::new(BTreeMap::from([("study".to_owned(), label.to_owned())])).unwrap(),
+        tags: Tags::new(BTreeMap::from([("study".to_owned(), label.to_owned())])).unwrap(),
         external_ref: None,
         max_attempts: 3,
         deadline_at: None,
@@ -187,7 +187,7 @@ async fn fill(place: &Place, store: &SqlStore, number: u64) {
     use homolog::jobs::{BatchId, NewBatch};
     let tenant = tenant_of(number * 100);
     let id = BatchId::random();
-    let batch = NewBatch { id, tenant: tenant.clone(), labels: Labels::default(), external_ref: None };
+    let batch = NewBatch { id, tenant: tenant.clone(), tags: Tags::default(), external_ref: None };
     let jobs: Vec<_> = (0..100).map(|_| NewJob { batch_id: Some(id), ..new_job(&tenant, 0, place.name()) }).collect();
     store.insert_batch(&batch, &jobs, &admission()).await.unwrap();
 }

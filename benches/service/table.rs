@@ -89,7 +89,7 @@ async fn fill(database: &Database, from: u64, to: u64) {
 async fn row(place: &Place, store: &SqlStore, size: u64, repeats: usize) {
     let tenant = Tenant::default();
     let labeled = |value: &str| JobFilter {
-        labels: vec![("study".to_owned(), value.to_owned())].into_iter().collect(),
+        tags: vec![("study".to_owned(), value.to_owned())].into_iter().collect(),
         ..JobFilter::default()
     };
     let failed = JobFilter { states: vec![JobState::Failed], ..JobFilter::default() };

@@ -57,11 +57,12 @@ export interface Job {
   state: JobState;
   method: string;
   method_version: string;
-  parameters: Record<string, unknown>;
+  /** Only if the request asks for them. */
+  parameters?: Record<string, unknown>;
   source: JobInput;
   target: JobInput;
   priority: number;
-  labels: Record<string, string>;
+  tags: Record<string, string>;
   external_ref?: string;
   batch_id?: string;
   study_id?: string;
@@ -114,7 +115,7 @@ export interface Batch {
   n_jobs: number;
   counts: Partial<Record<JobState, number>>;
   finished: boolean;
-  labels: Record<string, string>;
+  tags: Record<string, string>;
   external_ref?: string;
   created_at: string;
 }
@@ -138,7 +139,7 @@ export interface Study {
   progress: { template_round: number; matches_done: number; matches_total: number };
   n_subjects: number;
   method: string;
-  labels: Record<string, string>;
+  tags: Record<string, string>;
   external_ref?: string;
   created_at: string;
   finished_at?: string;

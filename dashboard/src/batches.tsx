@@ -74,7 +74,7 @@ export function Batches() {
                   Jobs
                 </th>
                 <th scope="col">States</th>
-                <th scope="col">Labels</th>
+                <th scope="col">Tags</th>
                 <th scope="col">Age</th>
               </tr>
             </thead>
@@ -88,7 +88,7 @@ export function Batches() {
                   <td>
                     <Counts batch={batch} />
                   </td>
-                  <td>{Object.entries(batch.labels).map(([name, value]) => `${name}:${value}`).join(", ")}</td>
+                  <td>{Object.entries(batch.tags).map(([name, value]) => `${name}:${value}`).join(", ")}</td>
                   <td>{age(batch.created_at, now)}</td>
                 </tr>
               ))}

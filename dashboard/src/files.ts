@@ -10,15 +10,15 @@ export async function upload(file: Blob, name: string, signal?: AbortSignal): Pr
   return (await answer.json()) as Mesh;
 }
 
-/** A name as the value of a label or as a reference: at most 256 bytes of its end, which tells most. */
-export function labelOf(name: string): string {
+/** A name as the value of a tag or as a reference: at most 256 bytes of its end, which tells most. */
+export function tagOf(name: string): string {
   let text = name;
   while (new TextEncoder().encode(text).length > 256) text = text.slice(1);
   return text;
 }
 
-/** `study:baseline, side:left` as labels. */
-export const labelsIn = (text: string): Record<string, string> =>
+/** `study:baseline, side:left` as tags. */
+export const tagsIn = (text: string): Record<string, string> =>
   Object.fromEntries(text.split(/[\s,]+/).filter(Boolean).map((entry) => [entry.slice(0, entry.indexOf(":")), entry.slice(entry.indexOf(":") + 1)]));
 
 export interface Named {
@@ -71,6 +71,6 @@ export function references(paths: string[]): string[] {
   // The folder that all are in tells nothing.
   const top = paths.every((path) => path.includes("/") && path.split("/")[0] === paths[0]!.split("/")[0]);
   const short = top ? inFolders.map((name) => name.slice(name.indexOf("/") + 1)) : inFolders;
-  for (const names of [stems, short, paths]) if (new Set(names).size === names.length) return names.map(labelOf);
-  return paths.map((path, k) => labelOf(`${path} ${k + 1}`));
+  for (const names of [stems, short, paths]) if (new Set(names).size === names.length) return names.map(tagOf);
+  return paths.map((path, k) => tagOf(`${path} ${k + 1}`));
 }

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { useKept } from "./parts";
 import { go } from "./router";
 
-export const FILTERS = ["state", "method", "label", "external_ref", "batch", "study", "order"] as const;
+export const FILTERS = ["state", "method", "tag", "external_ref", "batch", "study", "order"] as const;
 export type Filters = Record<(typeof FILTERS)[number], string>;
 
 interface Saved {
@@ -16,7 +16,9 @@ interface Saved {
 function savedIn(text: string): Saved[] {
   try {
     const list: unknown = JSON.parse(text);
-    return Array.isArray(list) ? list.filter((entry): entry is Saved => typeof entry?.name === "string" && typeof entry.filters === "object" && entry.filters !== null) : [];
+    const saved = Array.isArray(list) ? list.filter((entry): entry is Saved => typeof entry?.name === "string" && typeof entry.filters === "object" && entry.filters !== null) : [];
+    // Up to 0.1 a tag was kept as a label.
+    return saved.map(({ name, filters: { label, ...filters } }: { name: string; filters: Partial<Filters> & { label?: string } }) => ({ name, filters: label ? { ...filters, tag: label } : filters }));
   } catch {
     return [];
   }

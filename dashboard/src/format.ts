@@ -91,7 +91,7 @@ export interface VerdictText {
 
 /** Whether a mirrored source fits better, and the service can mirror it. */
 function isMirrored(job: Job): boolean {
-  const input = job.parameters.input as { source?: { mirror?: unknown } } | undefined;
+  const input = job.parameters?.input as { source?: { mirror?: unknown } } | undefined;
   return (job.unreliable_reasons ?? []).includes("other_handedness") && input?.source?.mirror === false;
 }
 

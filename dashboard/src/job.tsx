@@ -31,7 +31,7 @@ export function JobView({ id }: { id: string }) {
       setResult(null);
       setCross(null);
       setFailure(null);
-      answered(() => get<Job>(`v1/jobs/${id}`, signal), signal).then(
+      answered(() => get<Job>(`v1/jobs/${id}?fields=*`, signal), signal).then(
         (found) => !signal.aborted && setJob((before) => before ?? found),
         (error: unknown) => !signal.aborted && failed(error),
       );
@@ -86,7 +86,7 @@ export function JobView({ id }: { id: string }) {
   const said = verdict(job);
   const act = (verb: "cancel" | "retry") => {
     setFailure(null);
-    send<Job>("POST", `v1/jobs/${id}/${verb}`).then((answer) => (verb === "retry" ? go(`jobs/${answer.id}`) : setJob((before) => (before?.id === answer.id ? newest(before, answer) : before))), failed);
+    send<Job>("POST", `v1/jobs/${id}/${verb}`).then((answer) => (verb === "retry" ? go(`jobs/${answer.id}`) : setJob((before) => (before?.id === answer.id ? newest(before, { ...answer, parameters: before.parameters }) : before))), failed);
   };
   const took = job.started_at ? duration((job.finished_at ? Date.parse(job.finished_at) : now) - Date.parse(job.started_at)) : null;
 
@@ -152,7 +152,7 @@ export function JobView({ id }: { id: string }) {
               ...(job.batch_id ? [["Batch", <a href={`#/batches/${job.batch_id}`}>{job.batch_id.slice(-8)}</a>] as [string, preact.ComponentChildren]] : []),
               ...(job.retry_of ? [["Retry of", <a href={`#/jobs/${job.retry_of}`}>{job.retry_of.slice(-8)}</a>] as [string, preact.ComponentChildren]] : []),
               ...(job.external_ref ? [["Reference", job.external_ref] as [string, string]] : []),
-              ...Object.entries(job.labels).map(([name, value]): [string, string] => [`Label ${name}`, value]),
+              ...Object.entries(job.tags).map(([name, value]): [string, string] => [`Tag ${name}`, value]),
             ]}
           />
         </section>
@@ -280,7 +280,7 @@ function Parameters({ job }: { job: Job }) {
       () => undefined,
     );
   }, [job.method]);
-  const all = flatten(job.parameters);
+  const all = flatten(job.parameters ?? {});
   const usual = new Map(defaults ? flatten(defaults) : []);
   const changed = defaults === null ? [] : all.filter(([name, value]) => name !== "seed" && usual.get(name) !== value);
   return (

@@ -12,7 +12,7 @@ import { go } from "./router";
 export interface Row
   extends Pick<
     Job,
-    "id" | "state" | "method" | "priority" | "progress" | "created_at" | "started_at" | "finished_at" | "reliable" | "unreliable_reasons" | "surface_distance" | "batch_id" | "study_id" | "external_ref" | "cancel_requested" | "labels"
+    "id" | "state" | "method" | "priority" | "progress" | "created_at" | "started_at" | "finished_at" | "reliable" | "unreliable_reasons" | "surface_distance" | "batch_id" | "study_id" | "external_ref" | "cancel_requested" | "tags"
   > {
   /** The surface that tells the job from others of the same template; null if it is too large for a small picture. */
   pictured: "source" | "target" | null;
@@ -22,11 +22,11 @@ export interface Row
 const MOST_FACES = 60_000;
 
 export const rowOf = (job: Job): Row => {
-  const { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, labels } = job;
+  const { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, tags } = job;
   // The template of a study is the source of its matches.
   const side = study_id ? "target" : "source";
   const pictured = (job[side]?.n_faces ?? Infinity) <= MOST_FACES ? side : null;
-  return { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, labels, pictured };
+  return { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, tags, pictured };
 };
 
 export interface Page {
@@ -241,7 +241,7 @@ export function Jobs({ query }: { query: URLSearchParams }) {
           </select>
         </label>
         <label>
-          Label <Typed value={filters.label} placeholder="name:value" take={(text) => filter("label", text)} />
+          Tag <Typed value={filters.tag} placeholder="name:value" take={(text) => filter("tag", text)} />
         </label>
         <label>
           Reference <Typed value={filters.external_ref} take={(text) => filter("external_ref", text)} />

@@ -41,8 +41,8 @@ async function surfaceOf({ id, pictured }: Row, signal: AbortSignal): Promise<Su
 }
 
 /** The names of a job's files, if they were sent with it. */
-export function namesOf({ labels }: Pick<Row, "labels">): string {
-  const { source_file: source, target_file: target } = labels;
+export function namesOf({ tags }: Pick<Row, "tags">): string {
+  const { source_file: source, target_file: target } = tags;
   return source && target ? `${source} → ${target}` : (source ?? target ?? "");
 }
 

@@ -72,7 +72,7 @@ export async function follow(id: string, to: Follower, signal: AbortSignal): Pro
     try {
       const headers: HeadersInit = { accept: "text/event-stream" };
       if (last !== undefined) headers["last-event-id"] = last;
-      const response = await call(`v1/jobs/${id}/events`, { headers, signal: attempt.signal, cache: "no-store" });
+      const response = await call(`v1/jobs/${id}/events?fields=*`, { headers, signal: attempt.signal, cache: "no-store" });
       if (response.status === 204 || response.body === null) return;
       to.connected(true);
       wait = 500;

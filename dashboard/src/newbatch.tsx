@@ -2,7 +2,7 @@
 
 import { useRef, useState } from "preact/hooks";
 import { ApiError, type Batch, type FieldFault, type Mesh, describe, send } from "./api";
-import { type Named, chosen, dropped, labelOf, labelsIn, references, upload } from "./files";
+import { type Named, chosen, dropped, tagOf, tagsIn, references, upload } from "./files";
 import { bytes, number } from "./format";
 import { answered } from "./live";
 import { Parameters, unflatten, useMethods } from "./parameters";
@@ -30,7 +30,7 @@ export function NewBatch() {
   const [method, setMethod] = useState("balanced");
   const [changed, setChanged] = useState<Record<string, unknown>>({});
   const [reference, setReference] = useState("");
-  const [labels, setLabels] = useState("");
+  const [tags, setTags] = useState("");
   const [faults, setFaults] = useState<FieldFault[]>([]);
   const [failure, setFailure] = useState<string | null>(null);
   const [isSending, setSending] = useState(false);
@@ -95,15 +95,15 @@ export function NewBatch() {
     setFaults([]);
     try {
       const batch = await send<Batch>("POST", "v1/batches", {
-        template: template!.mesh!.id,
+        template: { mesh_id: template!.mesh!.id },
         template_as: side,
         subjects: ready.map((given, k) => ({
-          mesh_id: given.mesh!.id,
+          input: { mesh_id: given.mesh!.id },
           external_ref: names === "yes" ? called[subjects.indexOf(given)]! : `subject ${String(k + 1).padStart(3, "0")}`,
-          labels: names === "yes" ? { [side === "target" ? "source_file" : "target_file"]: labelOf(given.path) } : {},
+          tags: names === "yes" ? { [side === "target" ? "source_file" : "target_file"]: tagOf(given.path) } : {},
         })),
         parameters: unflatten({ method, ...changed }),
-        labels: { ...(names === "yes" ? { [side === "target" ? "target_file" : "source_file"]: labelOf(template!.path) } : {}), ...labelsIn(labels) },
+        tags: { ...(names === "yes" ? { [side === "target" ? "target_file" : "source_file"]: tagOf(template!.path) } : {}), ...tagsIn(tags) },
         ...(reference === "" ? {} : { external_ref: reference }),
       });
       go(`batches/${batch.id}`);
@@ -207,7 +207,7 @@ export function NewBatch() {
             Reference <input value={reference} onInput={(e) => setReference(e.currentTarget.value)} />
           </label>
           <label>
-            Labels <input placeholder="study:baseline" value={labels} onInput={(e) => setLabels(e.currentTarget.value)} />
+            Tags <input placeholder="study:baseline" value={tags} onInput={(e) => setTags(e.currentTarget.value)} />
           </label>
         </div>
         <p>

@@ -75,6 +75,7 @@ export function Operations() {
   const oldest = value("homolog_queue_oldest_age_seconds");
   const isUp = value("homolog_job_store_up") === 1;
   const bad = Object.entries(ready ?? {}).filter(([, state]) => state !== "ok");
+  const inState = (state: string) => metrics.get("homolog_workers")?.find(({ labels }) => labels.state === state)?.value ?? 0;
   const isStuck = last.queued > 0 && last.running === 0 && oldest > 30;
   const tone = !isUp || bad.length > 0 || isStuck ? "bad" : oldest > 600 ? "wait" : "good";
   const workers = new Map<string, Job[]>();
@@ -100,7 +101,9 @@ export function Operations() {
             {tone === "good"
               ? "nothing to do."
               : isStuck
-                ? "Look whether workers run, and whether a job asks for more memory than there is."
+                ? inState("idle") === 0
+                  ? "No worker runs: start one, and look into the log of those that ended."
+                  : "Workers are idle: look whether a job asks for more memory than one of them has."
                 : tone === "wait"
                   ? "Add workers, or lower the priority of what can wait."
                   : `Look at ${bad.map(([name, state]) => `${name} (${state})`).join(", ") || "the database"}.`}
@@ -126,22 +129,19 @@ export function Operations() {
         </section>
         <section class="card">
           <h2>Workers and what they run</h2>
-          {workers.size === 0 && <p class="hint">No job is running.</p>}
-          {workers.size > 0 && (
-            <p id="use">
-              <b>
-                {number(workers.size)} {workers.size === 1 ? "worker runs" : "workers run"} {number(running.length)} {running.length === 1 ? "job" : "jobs"}
-              </b>
-              {last.queued > 0 && `, ${number(last.queued)} wait`}.
-            </p>
-          )}
+          <p id="use">
+            <b>
+              {number(inState("busy"))} {inState("busy") === 1 ? "worker runs" : "workers run"} {number(last.running)} {last.running === 1 ? "job" : "jobs"}
+            </b>
+            , {number(inState("idle"))} {inState("idle") === 1 ? "is" : "are"} idle{last.queued > 0 && `, ${number(last.queued)} ${last.queued === 1 ? "job waits" : "jobs wait"}`}.
+          </p>
           <Facts
             rows={[
               ["Processes for computations, at work or at rest", number(sum("homolog_children_started_total") - sum("homolog_children_ended_total"))],
               ["Jobs finished here since this page was opened", number(sum("homolog_jobs_finished_total") - samples[0]!.finished)],
             ]}
           />
-          <p class="soft">A worker is a process; those that run nothing are not listed.</p>
+          <p class="soft">A worker is a process, of all tenants; below are those that run jobs of this key's tenant.</p>
           {[...workers].map(([worker, jobs]) => (
             <div key={worker}>
               <h3>

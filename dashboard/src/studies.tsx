@@ -68,7 +68,7 @@ export function Studies() {
                   Subjects
                 </th>
                 <th scope="col">Method</th>
-                <th scope="col">Labels</th>
+                <th scope="col">Tags</th>
                 <th scope="col">Age</th>
               </tr>
             </thead>
@@ -88,7 +88,7 @@ export function Studies() {
                   </td>
                   <td class="numeric">{number(study.n_subjects)}</td>
                   <td>{study.method}</td>
-                  <td>{Object.entries(study.labels).map(([name, value]) => `${name}:${value}`).join(", ")}</td>
+                  <td>{Object.entries(study.tags).map(([name, value]) => `${name}:${value}`).join(", ")}</td>
                   <td>{age(study.created_at, now)}</td>
                 </tr>
               ))}

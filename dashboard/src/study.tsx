@@ -127,7 +127,7 @@ export function StudyView({ id }: { id: string }) {
               ...settings(found?.result),
               ["Created", `${new Date(study.created_at).toLocaleString()}, ${age(study.created_at, now)} ago`],
               ...(study.finished_at ? [["Finished", new Date(study.finished_at).toLocaleString()] as [string, string]] : []),
-              ...Object.entries(study.labels).map(([name, value]): [string, string] => [`Label ${name}`, value]),
+              ...Object.entries(study.tags).map(([name, value]): [string, string] => [`Tag ${name}`, value]),
             ]}
           />
         </section>

@@ -2,7 +2,7 @@
 
 import { useState } from "preact/hooks";
 import { ApiError, type FieldFault, type Job, type Mesh, address, call, describe, send } from "./api";
-import { labelOf, labelsIn, upload } from "./files";
+import { tagOf, tagsIn, upload } from "./files";
 import { bytes, number } from "./format";
 import { Parameters, unflatten, useMethods } from "./parameters";
 import { Check, Facts, Failure, useKept } from "./parts";
@@ -27,7 +27,7 @@ export function Submit() {
   const [changed, setChanged] = useState<Record<string, unknown>>({});
   const [priority, setPriority] = useState(0);
   const [reference, setReference] = useState("");
-  const [labels, setLabels] = useState("");
+  const [tags, setTags] = useState("");
   const [faults, setFaults] = useState<FieldFault[]>([]);
   const [failure, setFailure] = useState<string | null>(null);
   const [refusal, setRefusal] = useState<{ side: Side; text: string; place: [number, number, number] | null } | null>(null);
@@ -80,7 +80,7 @@ export function Submit() {
         target: { mesh_id: target!.mesh!.id },
         parameters: unflatten({ method, ...changed }),
         priority,
-        labels: { ...(names === "yes" ? { source_file: labelOf(source!.name), target_file: labelOf(target!.name) } : {}), ...labelsIn(labels) },
+        tags: { ...(names === "yes" ? { source_file: tagOf(source!.name), target_file: tagOf(target!.name) } : {}), ...tagsIn(tags) },
         ...(reference === "" ? {} : { external_ref: reference }),
       };
       const answer = await send<Job>("POST", `v1/jobs${validateOnly ? "?validate_only=true" : ""}`, body);
@@ -135,7 +135,7 @@ export function Submit() {
             Reference <input value={reference} onInput={(e) => setReference(e.currentTarget.value)} />
           </label>
           <label>
-            Labels <input placeholder="study:baseline" value={labels} onInput={(e) => setLabels(e.currentTarget.value)} />
+            Tags <input placeholder="study:baseline" value={tags} onInput={(e) => setTags(e.currentTarget.value)} />
           </label>
         </div>
         <p>

@@ -49,14 +49,14 @@ export function batchTests({ test, service, pair, json, drop }) {
     };
     const [bare, numbered] = await sentBatch(false);
     assert.deepEqual(numbered.map(({ external_ref }) => external_ref), ["subject 001", "subject 002", "subject 003"]);
-    assert.deepEqual([bare.labels, ...numbered.map(({ labels }) => labels)], [{}, {}, {}, {}]);
+    assert.deepEqual([bare.tags, ...numbered.map(({ tags }) => tags)], [{}, {}, {}, {}]);
 
     await given();
     await page.selectOption('label:has-text("The template is") select', "source");
-    await page.fill('label:has-text("Labels") input', "wave:2");
+    await page.fill('label:has-text("Tags") input', "wave:2");
     const [batch, named] = await sentBatch(true);
-    assert.deepEqual(batch.labels, { source_file: "target.ply", wave: "2" });
-    assert.deepEqual(named.map(({ external_ref, labels }) => [external_ref, labels.target_file, labels.wave]), [
+    assert.deepEqual(batch.tags, { source_file: "target.ply", wave: "2" });
+    assert.deepEqual(named.map(({ external_ref, tags }) => [external_ref, tags.target_file, tags.wave]), [
       ["sub-01/left", "cohort/sub-01/left.ply", "2"],
       ["sub-02/left", "cohort/sub-02/left.ply", "2"],
       ["sub-10/left <img src=x onerror=globalThis", "cohort/sub-10/left <img src=x onerror=globalThis.ran=1>.ply", "2"],

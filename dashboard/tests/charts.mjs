@@ -89,9 +89,9 @@ export function chartTests({ test, service, pair, submit, finished, json }) {
     let values = [];
     const proxy = await h.prefixed(base, "/", (request, response) => {
       const say = (body) => response.writeHead(200, { "content-type": "application/json" }).end(JSON.stringify(body));
-      if (request.url.endsWith(`/batches/${id}`)) return say({ id, n_jobs: values.length, counts: { succeeded: values.length }, finished: true, labels: {}, created_at: "2026-01-01T00:00:00Z" });
+      if (request.url.endsWith(`/batches/${id}`)) return say({ id, n_jobs: values.length, counts: { succeeded: values.length }, finished: true, tags: {}, created_at: "2026-01-01T00:00:00Z" });
       if (!request.url.includes(`/batches/${id}/jobs`)) return false;
-      return say({ jobs: values.map((value, k) => ({ id: `${k}`, state: "succeeded", reliable: true, labels: {}, created_at: "2026-01-01T00:00:00Z", source: {}, target: {}, surface_distance: { mean_mm: value, p95_mm: 2 * value, max_mm: 3 * value } })) });
+      return say({ jobs: values.map((value, k) => ({ id: `${k}`, state: "succeeded", reliable: true, tags: {}, created_at: "2026-01-01T00:00:00Z", source: {}, target: {}, surface_distance: { mean_mm: value, p95_mm: 2 * value, max_mm: 3 * value } })) });
     });
     for (const width of [1280, 390]) {
       const page = await h.tab({ width });

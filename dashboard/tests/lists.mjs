@@ -35,8 +35,8 @@ export function listTests({ test, service, pair, submit, finished, api, json, dr
     }
     for (const id of jobs) await finished(base, id);
     const [without, , named] = await Promise.all(jobs.map((id) => json(base, `jobs/${id}`)));
-    assert.deepEqual(without.labels, {});
-    assert.deepEqual(named.labels, { source_file: "left <img src=x onerror=globalThis.ran=1>.ply", target_file: "target.ply" });
+    assert.deepEqual(without.tags, {});
+    assert.deepEqual(named.tags, { source_file: "left <img src=x onerror=globalThis.ran=1>.ply", target_file: "target.ply" });
     await page.click('nav a:has-text("Jobs")');
     const row = (id) => page.locator("tr[data-state]").filter({ has: page.locator(`a[title="${id}"]`) });
     await h.until("the names", async () => (await row(jobs[2]).textContent()).includes("left <img src=x onerror=globalThis.ran=1>.ply → target.ply"));
@@ -108,9 +108,9 @@ export function listTests({ test, service, pair, submit, finished, api, json, dr
 
   test("filters are kept under a name by the browser", async () => {
     const base = service();
-    await finished(base, await submit(base, pair(), {}, { labels: { site: "a" } }));
+    await finished(base, await submit(base, pair(), {}, { tags: { site: "a" } }));
     const page = await h.tab();
-    await page.goto(`${base}#/jobs?state=succeeded&label=site%3Aa`);
+    await page.goto(`${base}#/jobs?state=succeeded&tag=site%3Aa`);
     await page.click('button:has-text("Save these filters")');
     await page.fill('input[aria-label="Name of these filters"]', "site <i>a</i>");
     await page.keyboard.press("Enter");
@@ -119,8 +119,8 @@ export function listTests({ test, service, pair, submit, finished, api, json, dr
     await page.waitForURL((url) => !url.hash.includes("state="));
     await page.reload();
     await page.selectOption('label:has-text("Saved filters") select', "site <i>a</i>");
-    await page.waitForURL(/state=succeeded&label=site%3Aa/);
-    await h.until("the filtered list", async () => (await page.locator("tr[data-state]").count()) === (await json(base, "jobs?state=succeeded&label=site:a")).jobs.length);
+    await page.waitForURL(/state=succeeded&tag=site%3Aa/);
+    await h.until("the filtered list", async () => (await page.locator("tr[data-state]").count()) === (await json(base, "jobs?state=succeeded&tag=site:a")).jobs.length);
     await h.accessible(page, "saved filters");
     await page.click('button:has-text("Forget")');
     await page.waitForSelector('label:has-text("Saved filters")', { state: "detached" });

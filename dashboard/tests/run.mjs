@@ -716,7 +716,7 @@ test("a batch, worst first, and the state of the queue", async () => {
   writeFileSync(ball, sphere());
   subjects.push({ mesh_id: await upload(open, ball), external_ref: "sub-ball" });
   const body = JSON.parse(readFileSync(new URL("../../api/examples/batch_submission.json", import.meta.url)));
-  const batch = await json(open, "batches", sent({ ...asTemplate(body, template, subjects), external_ref: "wave-2", labels: { study: "demo" } }));
+  const batch = await json(open, "batches", sent({ ...asTemplate(body, template, subjects), external_ref: "wave-2", tags: { study: "demo" } }));
   const page = await h.tab();
   await page.goto(`${open}#/batches/${batch.id}`);
   await h.until("the batch", async () => (await json(open, `batches/${batch.id}`)).finished, 300_000);
@@ -758,7 +758,7 @@ studyTests({ test, service: () => open, upload, json, sent, sphere });
 
 /** A batch of one template against subjects, in the form of the example. */
 function asTemplate(example, template, subjects) {
-  const { template: _, pairs: __, subjects: ___, external_ref: ____, labels: _____, ...rest } = example;
+  const { template: _, pairs: __, subjects: ___, external_ref: ____, tags: _____, ...rest } = example;
   return { ...rest, template: typeof example.template === "object" ? { mesh_id: template } : template, subjects, parameters: { method: "balanced" } };
 }
 

@@ -42,7 +42,7 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     writeFileSync(ball, sphere(20, 30));
     subjects.push({ id: "ball", input: { mesh_id: await upload(base, ball) }, covariates: { group: "control", age: 66 } });
     const name = "trial 7";
-    const { id } = await json(base, "studies", sent({ subjects, template: subjects[0].input, effect: "group", adjust: ["age"], contrasts: { older: "age" }, permutations: 99, external_ref: name, labels: { cohort: "memory clinic" } }));
+    const { id } = await json(base, "studies", sent({ subjects, template: subjects[0].input, effect: "group", adjust: ["age"], contrasts: { older: "age" }, permutations: 99, external_ref: name, tags: { cohort: "memory clinic" } }));
     const finished = () => h.until("the study", async () => ((await json(base, `studies/${id}`)).state === "finished" ? true : null), 240_000);
 
     // A picture that is asked for while the study is computed again is refused.
@@ -186,6 +186,16 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     const [report] = await Promise.all([page.context().waitForEvent("page"), page.click('button:has-text("Open the report")')]);
     await report.waitForLoadState();
     assert((await report.textContent("h1")).includes(`Study of ${subjects.length} subjects`));
+    // Its figures are saved as files that stand alone: plots, and the view with its color bar.
+    for (const place of ["p.save:not(#save) >> nth=0", "#save"]) {
+      for (const [kind, begin] of [["SVG", Buffer.from("<svg ")], ["PNG", Buffer.from("\x89PNG", "latin1")]]) {
+        const [download] = await Promise.all([report.waitForEvent("download"), report.locator(place).locator(`button:has-text("${kind}")`).click()]);
+        const bytes = readFileSync(await download.path());
+        assert(download.suggestedFilename().endsWith(`.${kind.toLowerCase()}`) && bytes.subarray(0, begin.length).equals(begin), `${place} ${kind}: ${bytes.subarray(0, 40)}`);
+        if (kind === "SVG") assert(bytes.toString().includes('xmlns="http://www.w3.org/2000/svg"') && (place !== "#save" || /<image href="data:image\/png;base64,[^"]{2000}/.test(bytes.toString())), place);
+        else assert(bytes.length > 4000, `${bytes.length} bytes`);
+      }
+    }
     await report.close();
     const [download] = await Promise.all([page.waitForEvent("download"), page.click('button:has-text("Save the archive")')]);
     assert.equal(unzipped(readFileSync(await download.path())).size, files.size);
@@ -242,7 +252,7 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
       subjects.push({ id: `k${k}`, input: { mesh_id: await upload(base, join(out, "source.ply"), headers) } });
     }
     const attack = "<img src=x onerror=globalThis.ran=1>";
-    const request = sent({ subjects, template: subjects[0].input, external_ref: attack, labels: { [attack]: attack } });
+    const request = sent({ subjects, template: subjects[0].input, external_ref: attack, tags: { [attack]: attack } });
     const { id } = await json(base, "studies", { ...request, headers: { ...request.headers, ...headers } });
     await h.until("the study", async () => (await json(base, `studies/${id}`, { headers })).state === "finished", 120_000);
     const page = await h.tab({ ignore: /status of 401/ });

@@ -2,6 +2,7 @@
 
 use super::words::on_command_line;
 use homolog_contract::result::{EnergyDocument, OutlierReason, ResultDocument, StopReason};
+use homolog_run::next_step;
 use std::fmt::Write;
 
 /// Verdict, transform, support, distances, energies and counts.
@@ -68,7 +69,7 @@ fn verdict(result: &ResultDocument) -> String {
     let verdict = result.verdict();
     let mut text = format!("{}\n", verdict.headline());
     for reason in &verdict.reasons {
-        let _ = writeln!(text, "  - {} {}", reason.meaning(), on_command_line(reason.advice()));
+        let _ = writeln!(text, "  - {}", reason.meaning());
     }
     if result.ambiguous_axes {
         let _ =
@@ -77,6 +78,7 @@ fn verdict(result: &ResultDocument) -> String {
     for warning in &verdict.warnings {
         let _ = writeln!(text, "  warning: {}", on_command_line(warning));
     }
+    let _ = writeln!(text, "Next: {}", on_command_line(&next_step(result)));
     let _ = writeln!(text, "{}", verdict.distance());
     if let Some(pairs) = &result.correspondences {
         let missing = pairs.outlier.iter().filter(|&&reason| reason == OutlierReason::NoCounterpart).count();

@@ -21,8 +21,14 @@ pub(super) fn plain(message: &str) -> String {
     MEANINGS.iter().fold(message.to_owned(), |said, (theirs, ours)| said.replace(theirs, ours))
 }
 
-/// The names of request parameters in sentences, and the command-line options that set them.
-const OPTIONS: [(&str, &str); 5] = [
+/// What sentences call a parameter of a request, and the option of the command line that sets it.
+const OPTIONS: [(&str, &str); 8] = [
+    ("(method: balanced)", "(--method balanced)"),
+    ("with the method balanced", "with --method balanced"),
+    (
+        "Look at both surfaces in corresponding colors;",
+        "Look at both surfaces in corresponding colors (--html PAGE.html);",
+    ),
     ("(input.labels)", "(--label NUMBER or NAME)"),
     ("input.labels chooses", "--label chooses"),
     ("(input.repair)", "(--repair)"),

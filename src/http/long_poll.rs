@@ -8,9 +8,11 @@
 
 use super::auth::Rights;
 use super::conditional::{not_modified, with_etag};
+use super::content::Counted;
 use super::problem::Problem;
 use super::query::QueryString;
 use super::router::HttpState;
+use super::shares::Taken;
 use crate::jobs::Scope;
 use crate::jobs::follow::Feed;
 use async_trait::async_trait;
@@ -117,6 +119,8 @@ pub(super) struct Snapshot {
     pub(super) body: Vec<u8>,
     /// Whether the resource is final; waiting for a change would be pointless.
     pub(super) is_final: bool,
+    /// Memory that the answer takes until it is sent, if that is counted.
+    pub(super) memory: Option<Taken>,
 }
 
 /// A resource that can be waited for.
@@ -195,7 +199,11 @@ fn respond(known: &Known, snapshot: Snapshot) -> Response {
     if known.is_conditional && known.difference(&snapshot.version) == Difference::None {
         return not_modified(&etag);
     }
-    let mut response = Response::new(Body::from(snapshot.body));
+    let body = match snapshot.memory {
+        Some(memory) => Body::new(Counted::new(snapshot.body.into(), memory)),
+        None => Body::from(snapshot.body),
+    };
+    let mut response = Response::new(body);
     response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static("application/json"));
     with_etag(response, &etag)
 }

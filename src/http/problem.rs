@@ -256,9 +256,7 @@ impl From<SubmitError> for Problem {
             SubmitError::Batch(faults) => {
                 let errors: Vec<_> = faults
                     .into_iter()
-                    .map(|(number, side, refusal)| {
-                        FieldError::new(format!("/pairs/{number}/{side}"), &refusal.code, refusal.detail)
-                    })
+                    .map(|(pointer, refusal)| FieldError::new(pointer, &refusal.code, refusal.detail))
                     .collect();
                 Problem::new(ProblemKind::UnsuitableBatch).errors(&errors)
             }
@@ -267,9 +265,8 @@ impl From<SubmitError> for Problem {
                     faults.into_iter().map(|fault| FieldError::new(fault.pointer, &fault.code, fault.detail)).collect();
                 Problem::new(ProblemKind::InvalidRequest).errors(&errors)
             }
-            SubmitError::Metadata { number, fault } => {
-                let pair = number.map_or_else(String::new, |number| format!("/pairs/{number}"));
-                let error = FieldError::new(format!("{pair}/{}", fault.field()), "out_of_range", fault.to_string());
+            SubmitError::Metadata { job, fault } => {
+                let error = FieldError::new(format!("{job}/{}", fault.field()), "out_of_range", fault.to_string());
                 Problem::new(ProblemKind::InvalidRequest).errors(&[error])
             }
             SubmitError::BatchTooLarge { limit } => Problem::new(ProblemKind::TooLarge)

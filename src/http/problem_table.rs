@@ -76,7 +76,7 @@ problems! {
     InvalidQuery = "invalid-query", BAD_REQUEST, "The query string is invalid",
         "Each entry of errors names a query parameter and says what is allowed.";
     MalformedMultipart = "malformed-multipart", BAD_REQUEST, "The multipart body is malformed",
-        "Send multipart/form-data (RFC 7578) with the fields source and target, each a file, and optionally parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache.";
+        "Send multipart/form-data (RFC 7578) with the fields source and target, each a file, and optionally parameters, tags, external_ref, priority, deadline_at, max_run_s, use_cache.";
     MalformedJson = "malformed-json", BAD_REQUEST, "The JSON body is malformed",
         "detail names the line and the column.";
     HostNotAllowed = "host-not-allowed", FORBIDDEN, "The host of the request is not allowed",

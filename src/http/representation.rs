@@ -15,9 +15,9 @@ use axum::http::{HeaderMap, HeaderValue, Method, header};
 use axum::response::{IntoResponse, Response};
 use serde_json::json;
 
-/// A page of this service may run its own scripts, as its own policy says, but not with the rights of this service's
-/// origin.
-pub(super) const PAGE_POLICY: HeaderValue = HeaderValue::from_static("sandbox allow-scripts; frame-ancestors 'none'");
+/// A page of this service may run its own scripts, as its own policy says, but not in the name of this service.
+pub(super) const PAGE_POLICY: HeaderValue =
+    HeaderValue::from_static("sandbox allow-scripts allow-downloads; frame-ancestors 'none'");
 
 /// The headers of a format.
 struct Form {

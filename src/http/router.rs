@@ -278,7 +278,7 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::batches::jobs))
         .routes(routes!(routes::batches::cancel))
         .routes(routes!(routes::studies::submit, routes::studies::list))
-        .routes(routes!(routes::studies::get, routes::studies::delete))
+        .routes(routes!(routes::studies::get, routes::studies::update, routes::studies::delete))
         .routes(routes!(routes::studies::cancel))
         .routes(routes!(routes::study_subjects::list, routes::study_subjects::add))
         .routes(routes!(routes::study_subjects::decide, routes::study_subjects::undecide))

@@ -1,12 +1,13 @@
 //! JSON bodies, read into typed forms under limits.
 //!
-//! No input becomes a JSON tree of unbounded size: such a tree takes a hundred times the memory of its text. The
-//! parameters of a match, which may have any form, have a separate limit; lists and labels are read up to the largest
-//! accepted number. A repeated member is refused, because readers differ in which one counts.
+//! Nothing that a client sends becomes a tree of unknown size: a value of any form takes a hundred times the memory of its
+//! text. What may have any form, the parameters of a match, has a limit of its own; lists and tags are read up to
+//! the largest number that is accepted. A member that is given twice is refused, since readers differ in which one counts.
 
+use super::json_fault::{MAX_POINTER, json_fault};
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
-use crate::jobs::metadata::Labels;
+use crate::jobs::metadata::{MetadataFault, Tags};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{DeserializeSeed, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -19,9 +20,7 @@ use std::marker::PhantomData;
 
 /// Longest list in a body: the largest value of the setting for jobs of a batch.
 pub(crate) const MAX_LIST: usize = 100_000;
-/// Longest pointer in an answer.
-const MAX_POINTER: usize = 256;
-/// Least number of bytes that each value of the parameters counts, so that many small values are limited too.
+/// Bytes of text for which each value of the parameters counts at least, so that many small ones are bounded too.
 const LEAST_VALUE: usize = 8;
 /// Marks an error of serde: the parameters are too large.
 const NO_ROOM: &str = "the parameters are too large";
@@ -68,9 +67,7 @@ pub(super) fn parse<'a, T: Deserialize<'a>>(
         if text.starts_with(NO_ROOM) {
             return parameters_too_large(max_parameters);
         }
-        // The message of serde may repeat what the client sent; it is truncated.
-        let fault = FieldError::new(pointer, "wrong_form", text.chars().take(200).collect::<String>());
-        Problem::new(ProblemKind::InvalidRequest).errors(&[fault])
+        Problem::new(ProblemKind::InvalidRequest).errors(&[json_fault(pointer, &text)])
     })?;
     reader.end().map_err(|error| malformed(&error))?;
     Ok(read)
@@ -109,8 +106,7 @@ pub(super) fn parse_parameters(text: &str, max_parameters: usize) -> Result<Para
     serde_json::from_str(text).map_err(|error| {
         let at = format!("line {}, column {}", error.line(), error.column());
         if error.is_data() {
-            let detail: String = error.to_string().chars().take(200).collect();
-            return FieldError::new("/parameters", "wrong_form", detail);
+            return json_fault("/parameters".to_owned(), &error.to_string());
         }
         FieldError::new("/parameters", "malformed_json", format!("invalid JSON at {at}"))
     })
@@ -194,42 +190,58 @@ impl<'de> Visitor<'de> for AnyValue {
     }
 }
 
-/// Unchecked labels as sent. Only as many are kept as show that there are too many.
+/// Tags as sent, not checked yet. No more are kept than show that there are too many.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
-pub(crate) struct SentLabels(pub(crate) BTreeMap<String, String>);
+pub(crate) struct SentTags(pub(crate) BTreeMap<String, String>);
 
-impl SentLabels {
+impl SentTags {
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 }
 
-impl<'de> Deserialize<'de> for SentLabels {
+impl<'de> Deserialize<'de> for SentTags {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Reader;
 
         impl<'de> Visitor<'de> for Reader {
-            type Value = SentLabels;
+            type Value = SentTags;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str("a JSON object of strings")
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, mut object: A) -> Result<SentLabels, A::Error> {
-                let mut labels = BTreeMap::new();
-                while labels.len() <= Labels::MAX {
-                    let Some((name, value)) = object.next_entry()? else { return Ok(SentLabels(labels)) };
-                    if labels.insert(name, value).is_some() {
-                        return Err(A::Error::custom("a label is given twice"));
+            fn visit_map<A: MapAccess<'de>>(self, mut object: A) -> Result<SentTags, A::Error> {
+                let mut tags = BTreeMap::new();
+                while tags.len() <= Tags::MAX {
+                    let Some((name, value)) = object.next_entry()? else { return Ok(SentTags(tags)) };
+                    if tags.insert(name, value).is_some() {
+                        return Err(A::Error::custom("a tag is given twice"));
                     }
                 }
                 while object.next_entry::<IgnoredAny, IgnoredAny>()?.is_some() {}
-                Ok(SentLabels(labels))
+                Ok(SentTags(tags))
             }
         }
 
         deserializer.deserialize_map(Reader)
+    }
+}
+
+/// The former name of tags, accepted until 0.3.
+pub(super) const FORMER_TAGS: &str = "labels";
+
+/// The tags that were sent, as `tags` or under their former name.
+///
+/// # Errors
+/// The member that has a fault, and what is allowed.
+pub(super) fn tags_of(SentTags(tags): SentTags, SentTags(former): SentTags) -> Result<Tags, (&'static str, String)> {
+    let said = |name| move |fault: MetadataFault| (name, fault.to_string());
+    match (tags.is_empty(), former.is_empty()) {
+        (_, true) => Tags::new(tags).map_err(said("tags")),
+        (true, false) => Tags::new(former).map_err(said(FORMER_TAGS)),
+        (false, false) => Err((FORMER_TAGS, "is the former name of tags; send tags only".to_owned())),
     }
 }
 
@@ -334,7 +346,7 @@ mod tests {
     fn members_given_twice_and_what_follows_the_body_are_refused() {
         for (text, part) in [
             (r#"{"parameters": {"a": 1, "a": 2}}"#, "given twice"),
-            (r#"{"parameters": {}, "parameters": {}}"#, "duplicate"),
+            (r#"{"parameters": {}, "parameters": {}}"#, "must be given once"),
             (r#"{"parameters": {}} {}"#, "MalformedJson"),
             (r#"{"parameters": {}"#, "MalformedJson"),
             (r#"[{}]"#, "JSON object"),
@@ -347,10 +359,10 @@ mod tests {
     }
 
     #[test]
-    fn labels_are_kept_up_to_one_more_than_are_allowed() {
+    fn tags_are_kept_up_to_one_more_than_are_allowed() {
         let text = format!("{{{}}}", (0..1000).map(|i| format!("\"k{i}\": \"\"")).collect::<Vec<_>>().join(","));
-        assert_eq!(serde_json::from_str::<SentLabels>(&text).unwrap().0.len(), Labels::MAX + 1);
-        assert!(serde_json::from_str::<SentLabels>(r#"{"a": "1", "a": "2"}"#).is_err());
-        assert!(serde_json::from_str::<SentLabels>(r#"{"a": 1}"#).is_err());
+        assert_eq!(serde_json::from_str::<SentTags>(&text).unwrap().0.len(), Tags::MAX + 1);
+        assert!(serde_json::from_str::<SentTags>(r#"{"a": "1", "a": "2"}"#).is_err());
+        assert!(serde_json::from_str::<SentTags>(r#"{"a": 1}"#).is_err());
     }
 }

@@ -1,8 +1,8 @@
 //! JSON documents of studies.
 
 use super::problem::{ProblemDocument, failure_document};
-use super::strict_json::{Parameters, SentLabels, object, objects};
-use super::submission::SubmittedInputDocument;
+use super::strict_json::{Parameters, SentTags, objects};
+use super::submission::{SubmittedInputDocument, input, maybe_input};
 use crate::jobs::documents::{BodySide, MatchParameters, PartialParameters};
 use crate::jobs::mesh::content_id;
 use crate::jobs::study::{DecisionVerdict, StudyQuestions, SubjectRole};
@@ -28,7 +28,7 @@ pub(crate) struct StudySubmissionDocument {
     #[serde(deserialize_with = "objects")]
     pub(crate) subjects: Vec<StudySubjectDocument>,
     /// The template; without it one is made from the group.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_object")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input")]
     #[schema(value_type = Option<SubmittedInputDocument>)]
     pub(crate) template: Option<SubmittedInputDocument>,
     /// On which side of the body the template lies, where subjects have a `side`; needed with a `template`. If absent, that of the
@@ -76,10 +76,14 @@ pub(crate) struct StudySubmissionDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = PartialParameters, required = false)]
     pub(crate) parameters: Option<Parameters>,
-    /// Labels of the study and of its matches.
-    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    /// Tags of the study and of its matches.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
     #[schema(value_type = BTreeMap<String, String>, required = false)]
-    pub(crate) labels: SentLabels,
+    pub(crate) tags: SentTags,
+    /// The former name of `tags`, accepted until 0.3.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
+    #[schema(value_type = BTreeMap<String, String>, required = false, deprecated)]
+    pub(crate) labels: SentTags,
     /// The client's own id of the study.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
@@ -112,10 +116,6 @@ impl StudySubmissionDocument {
             permutations: self.permutations,
         }
     }
-}
-
-fn maybe_object<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
-    object(deserializer).map(Some)
 }
 
 /// Reads a list of at most [`MAX_NAMES`] strings.
@@ -180,7 +180,7 @@ pub(crate) struct StudySubjectDocument {
     #[schema(min_length = 1, max_length = 200)]
     pub(crate) id: String,
     /// Its surface or label volume.
-    #[serde(deserialize_with = "object")]
+    #[serde(deserialize_with = "input")]
     pub(crate) input: SubmittedInputDocument,
     /// Who it is, where one person has several visits; the id if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -248,6 +248,37 @@ impl<'de> Deserialize<'de> for Covariates {
     }
 }
 
+/// A study as a multipart form.
+#[derive(Debug, Clone, ToSchema)]
+#[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
+pub(crate) struct StudyForm {
+    /// The study; its inputs refer to files by their names, as `{"upload": "subject-1.nii.gz"}`.
+    document: StudySubmissionDocument,
+    /// The files, under different names.
+    #[schema(value_type = Vec<String>, format = Binary, required = false)]
+    files: Vec<String>,
+}
+
+/// Subjects to be added to a study, as a multipart form.
+#[derive(Debug, Clone, ToSchema)]
+#[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
+pub(crate) struct AddedSubjectsForm {
+    /// The subjects; their inputs refer to files by their names, as `{"upload": "subject-1.nii.gz"}`.
+    document: AddedSubjectsDocument,
+    /// The files, under different names.
+    #[schema(value_type = Vec<String>, format = Binary, required = false)]
+    files: Vec<String>,
+}
+
+/// Changes to a study.
+#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StudyChangeDocument {
+    /// Its jobs run before those with a lower priority.
+    #[schema(minimum = -100, maximum = 100)]
+    pub(crate) priority: i32,
+}
+
 /// Subjects to be added to a study.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
@@ -287,7 +318,10 @@ pub(crate) struct StudyDocument {
     /// Priority of its jobs.
     #[schema(minimum = -100, maximum = 100)]
     pub(crate) priority: i32,
-    /// Labels of the client's choice.
+    /// Tags of the client's choice.
+    pub(crate) tags: BTreeMap<String, String>,
+    /// The former name of `tags`, until 0.3.
+    #[schema(deprecated)]
     pub(crate) labels: BTreeMap<String, String>,
     /// The client's own id.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -318,7 +352,7 @@ pub(crate) struct StudyDocument {
 }
 
 /// How far the matches of a study are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub(crate) struct StudyProgressDocument {
     /// The round of making a template to which the matches belong, from 1; 0 for the matches of all subjects.
     pub(crate) template_round: u32,
@@ -448,7 +482,8 @@ impl StudyDocument {
             method: study.method.clone(),
             method_version: study.method_version.clone(),
             priority: study.priority,
-            labels: study.labels.clone(),
+            tags: study.tags.clone(),
+            labels: study.tags.clone(),
             external_ref: study.external_ref.clone(),
             created_at: study.created_at,
             finished_at: study.finished_at,

@@ -1,13 +1,14 @@
 //! Reading submissions: a multipart form or JSON, with the same fields and the same checks.
 
+use super::json_fault::INPUT_SHAPE;
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
 use super::router::HttpLimits;
-use super::strict_json::{Parameters, SentLabels, object, parse, parse_parameters};
+use super::strict_json::{FORMER_TAGS, Parameters, SentTags, parse, parse_parameters, tags_of};
 use super::upload::{Tap, name_hint, read_field};
 use crate::jobs::documents::PartialParameters;
 use crate::jobs::mesh::hash_of_id;
-use crate::jobs::metadata::{ExternalRef, Labels, MetadataFault};
+use crate::jobs::metadata::{ExternalRef, MetadataFault};
 use crate::jobs::{Details, SubmissionLimits, SubmittedFile, SubmittedInput};
 use axum::body::HttpBody as _;
 use axum::extract::multipart::MultipartError;
@@ -18,14 +19,15 @@ use base64::prelude::BASE64_STANDARD;
 use bytes::{Bytes, BytesMut};
 use http_body_util::BodyExt as _;
 use jiff::Timestamp;
-use serde::de::{DeserializeOwned, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{DeserializeOwned, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use utoipa::ToSchema;
 
-/// Largest field of a form for labels, bytes: they may be written with escapes.
-const MAX_LABELS_TEXT: usize = 256 << 10;
+/// Largest field of a form for tags, bytes: they may be written with escapes.
+const MAX_TAGS_TEXT: usize = 256 << 10;
 /// Largest other text field of a form but parameters, bytes.
 const MAX_TEXT_BYTES: usize = 4 << 10;
 /// Most faults that are listed in an answer; a form is read no further.
@@ -34,7 +36,7 @@ const MAX_FAULTS: usize = 16;
 const MAX_INSTANCES: usize = 20_000;
 const REPEATED: &str = "must be sent once, unless every file is an instance of a DICOM series";
 const KNOWN: &str =
-    "known fields are source, target, parameters, labels, external_ref, priority, deadline_at, max_run_s, use_cache";
+    "known fields are source, target, parameters, tags, external_ref, priority, deadline_at, max_run_s, use_cache";
 
 // The examples are what the page at /docs fills in: without them it makes up a deadline that is now, and extremes of all parameters.
 /// A submission as a multipart form. A text field that is empty is the same as none, except `parameters`.
@@ -51,8 +53,11 @@ pub(crate) struct SubmissionForm {
     /// Parameters that differ from the preset that `method` names; `{}` or absent for the defaults.
     #[schema(value_type = PartialParameters, required = false)]
     parameters: Option<Value>,
-    /// Labels of the client's choice: a JSON object of strings.
+    /// Tags of the client's choice: a JSON object of strings.
     #[schema(value_type = BTreeMap<String, String>, required = false, example = json!({}))]
+    tags: Option<BTreeMap<String, String>>,
+    /// The former name of `tags`, accepted until 0.3.
+    #[schema(value_type = BTreeMap<String, String>, required = false, deprecated, example = "")]
     labels: Option<BTreeMap<String, String>>,
     /// The client's own id of the job.
     #[schema(value_type = String, required = false, max_length = 200, example = "")]
@@ -76,19 +81,23 @@ pub(crate) struct SubmissionForm {
 #[serde(deny_unknown_fields)]
 pub(crate) struct SubmissionDocument {
     /// The surface that is moved onto the target.
-    #[serde(deserialize_with = "object")]
+    #[serde(deserialize_with = "input")]
     pub(crate) source: SubmittedInputDocument,
     /// The surface that stays in place.
-    #[serde(deserialize_with = "object")]
+    #[serde(deserialize_with = "input")]
     pub(crate) target: SubmittedInputDocument,
     /// Parameters that differ from the preset that `method` names.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = PartialParameters, required = false)]
     pub(crate) parameters: Option<Parameters>,
-    /// Labels of the client's choice: at most 64, keys of 1 to 256 bytes, values of at most 256.
-    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    /// Tags of the client's choice: at most 64, keys of 1 to 256 bytes, values of at most 256.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
     #[schema(value_type = BTreeMap<String, String>, required = false)]
-    pub(crate) labels: SentLabels,
+    pub(crate) tags: SentTags,
+    /// The former name of `tags`, accepted until 0.3.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
+    #[schema(value_type = BTreeMap<String, String>, required = false, deprecated)]
+    pub(crate) labels: SentTags,
     /// The client's own id.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
@@ -110,7 +119,7 @@ pub(crate) struct SubmissionDocument {
     pub(crate) use_cache: Option<bool>,
 }
 
-/// An input of a JSON submission: either `mesh_id` or `content_base64`.
+/// An input of a job, a batch or a study: exactly one of `mesh_id`, `content_base64` and `upload`.
 #[derive(Debug, Clone, Default, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SubmittedInputDocument {
@@ -121,9 +130,77 @@ pub(crate) struct SubmittedInputDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = Option<String>)]
     pub(crate) content_base64: Option<Content>,
-    /// Name of the file; only its extension is kept.
+    /// Name of a file in the field `files` of the form, for batches and studies that are sent as forms.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) upload: Option<String>,
+    /// Name of the file in `content_base64`; only its extension is kept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) file_name: Option<String>,
+}
+
+/// Reads an input from a JSON object.
+pub(super) fn input<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SubmittedInputDocument, D::Error> {
+    deserializer.deserialize_any(InputReader { takes_id: false })
+}
+
+/// Reads an input from a JSON object, or from the bare id of an upload, as it was written up to 0.1; accepted until 0.3.
+pub(super) fn input_or_id<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SubmittedInputDocument, D::Error> {
+    deserializer.deserialize_any(InputReader { takes_id: true })
+}
+
+/// Reads an input whose member may be `null`.
+pub(super) fn maybe_input<'de, D: Deserializer<'de>>(d: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
+    d.deserialize_any(MaybeInputReader(InputReader { takes_id: false }))
+}
+
+/// Reads an input or the id of one, where the member may be `null`.
+pub(super) fn maybe_input_or_id<'de, D: Deserializer<'de>>(d: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
+    d.deserialize_any(MaybeInputReader(InputReader { takes_id: true }))
+}
+
+struct MaybeInputReader(InputReader);
+
+impl<'de> Visitor<'de> for MaybeInputReader {
+    type Value = Option<SubmittedInputDocument>;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.expecting(f)
+    }
+
+    fn visit_unit<E: serde::de::Error>(self) -> Result<Self::Value, E> {
+        Ok(None)
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        self.0.visit_str(text).map(Some)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, object: A) -> Result<Self::Value, A::Error> {
+        self.0.visit_map(object).map(Some)
+    }
+}
+
+struct InputReader {
+    takes_id: bool,
+}
+
+impl<'de> Visitor<'de> for InputReader {
+    type Value = SubmittedInputDocument;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(INPUT_SHAPE)
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<SubmittedInputDocument, E> {
+        if !self.takes_id {
+            return Err(E::invalid_type(serde::de::Unexpected::Str(text), &self));
+        }
+        Ok(SubmittedInputDocument { mesh_id: Some(text.to_owned()), ..SubmittedInputDocument::default() })
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, object: A) -> Result<SubmittedInputDocument, A::Error> {
+        SubmittedInputDocument::deserialize(MapAccessDeserializer::new(object))
+    }
 }
 
 /// A file in base64, decoded as it is read, so that it is in memory once; `None` if it is not base64.
@@ -159,7 +236,8 @@ impl Serialize for Content {
 /// The fields of a submission besides inputs and parameters, as sent.
 #[derive(Debug, Default)]
 pub(crate) struct SentDetails {
-    pub(crate) labels: SentLabels,
+    pub(crate) tags: SentTags,
+    pub(crate) labels: SentTags,
     pub(crate) external_ref: Option<String>,
     pub(crate) priority: Option<i32>,
     pub(crate) deadline_at: Option<Timestamp>,
@@ -253,17 +331,128 @@ fn with_another(before: Option<SubmittedInput>, file: SubmittedFile) -> Result<S
     Ok(SubmittedInput::Series(instances))
 }
 
-/// An input of a study: as that of a job.
+/// The files of a form, by their names, to which its document refers.
+#[derive(Debug, Default)]
+pub(super) struct SentFiles(BTreeMap<String, SubmittedInput>);
+
+/// The field of a form with the document, which refers to the files by their names.
+const DOCUMENT: &str = "document";
+/// The field of a form with a file; it may be repeated.
+const FILES: &str = "files";
+
+/// A document in JSON, or a form with the document and files that it names.
+///
+/// # Errors
+/// A problem: unsupported media type, malformed body, a size limit, or faults of the fields.
+pub(super) async fn read_with_files<T: DeserializeOwned>(
+    request: axum::extract::Request,
+    tap: &Tap,
+    limits: &HttpLimits,
+) -> Result<(T, SentFiles), Problem> {
+    match media_type(&request).as_str() {
+        "application/json" => Ok((read_json(request, tap, limits, limits.max_json_bytes).await?, SentFiles::default())),
+        "multipart/form-data" => read_form_with_files(request, tap, limits).await,
+        _ => Err(Problem::new(ProblemKind::UnsupportedMediaType)),
+    }
+}
+
+async fn read_form_with_files<T: DeserializeOwned>(
+    request: axum::extract::Request,
+    tap: &Tap,
+    limits: &HttpLimits,
+) -> Result<(T, SentFiles), Problem> {
+    let refuse = |error: &MultipartError| form_fault(tap, error);
+    let mut form = open_form(request).await?;
+    let (mut document, mut files, mut faults) = (None, BTreeMap::new(), Vec::new());
+    while let Some(field) = form.next_field().await.map_err(|e| refuse(&e))? {
+        let field_name = field.name().unwrap_or("").to_owned();
+        let file_name = field.file_name().unwrap_or("").to_owned();
+        let limit = match field_name.as_str() {
+            DOCUMENT if document.is_some() => {
+                faults.push(FieldError::new("/document", "repeated", "must be sent once"));
+                break;
+            }
+            DOCUMENT => limits.max_json_bytes,
+            FILES if file_name.is_empty() => {
+                faults.push(FieldError::new(
+                    "/files",
+                    "missing",
+                    "each file must have a name, to which the document refers",
+                ));
+                break;
+            }
+            FILES => limits.max_file_bytes,
+            other => {
+                let shown: String = other.chars().take(64).collect();
+                faults.push(FieldError::new(
+                    format!("/{shown}"),
+                    "unknown_field",
+                    "known fields are document and files",
+                ));
+                break;
+            }
+        };
+        let bytes = read_field(field, limit).await.map_err(|e| match e {
+            Some(error) => refuse(&error),
+            None => field_too_large(&field_name, limit),
+        })?;
+        if field_name == DOCUMENT {
+            document = Some(parse(&bytes, limits.max_parameters_bytes, limits.max_batch)?);
+            continue;
+        }
+        let file = SubmittedFile { bytes, name_hint: name_hint(&file_name) };
+        match with_another(files.remove(&file_name), file) {
+            Ok(input) if files.len() <= limits.max_batch => drop(files.insert(file_name, input)),
+            Ok(_) => {
+                return Err(Problem::new(ProblemKind::TooLarge)
+                    .detail(format!("a form can have at most {} files", limits.max_batch + 1))
+                    .member("limit_files", (limits.max_batch + 1).into()));
+            }
+            Err(Unjoined) => {
+                faults.push(FieldError::new("/files", "repeated", "files must have different names"));
+                break;
+            }
+        }
+    }
+    match document {
+        Some(document) if faults.is_empty() => Ok((document, SentFiles(files))),
+        None if faults.is_empty() => {
+            let fault =
+                FieldError::new("/document", "missing", "is required: the JSON document that refers to the files");
+            Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]))
+        }
+        _ => Err(Problem::new(ProblemKind::InvalidRequest).errors(&faults)),
+    }
+}
+
+async fn open_form(request: axum::extract::Request) -> Result<Multipart, Problem> {
+    let opened = Multipart::from_request(request, &()).await;
+    opened.map_err(|e| Problem::new(ProblemKind::MalformedMultipart).detail(e.body_text()))
+}
+
+fn form_fault(tap: &Tap, error: &MultipartError) -> Problem {
+    let malformed = || Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text());
+    tap.refusal().unwrap_or_else(malformed)
+}
+
+fn field_too_large(name: &str, limit: usize) -> Problem {
+    Problem::new(ProblemKind::TooLarge)
+        .detail(format!("{name} has more than {limit} bytes"))
+        .member("limit_bytes", limit.into())
+}
+
+/// An input that a document refers to.
 ///
 /// # Errors
 /// Its faults, with their places below `name`.
-pub(super) fn study_input(
+pub(super) fn referred(
     name: &str,
     input: SubmittedInputDocument,
+    files: &SentFiles,
     limits: &HttpLimits,
 ) -> Result<SubmittedInput, Vec<FieldError>> {
     let mut fields = Fields::default();
-    let taken = fields.take_input(name, input, limits.max_file_bytes);
+    let taken = fields.take_input(name, input, files, limits.max_file_bytes);
     taken.ok_or(fields.faults)
 }
 
@@ -292,18 +481,8 @@ impl Fields {
         tap: &Tap,
         limits: &HttpLimits,
     ) -> Result<(), Problem> {
-        let refuse = |error: &MultipartError| {
-            let malformed = || Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text());
-            tap.refusal().unwrap_or_else(malformed)
-        };
-        let too_large = |name: &str, limit: usize| {
-            Problem::new(ProblemKind::TooLarge)
-                .detail(format!("{name} has more than {limit} bytes"))
-                .member("limit_bytes", limit.into())
-        };
-        let mut form = Multipart::from_request(request, &())
-            .await
-            .map_err(|e| Problem::new(ProblemKind::MalformedMultipart).detail(e.body_text()))?;
+        let refuse = |error: &MultipartError| form_fault(tap, error);
+        let mut form = open_form(request).await?;
         // Bytes that source and target may still have.
         let mut left = [limits.max_file_bytes; 2];
         while let Some(field) = form.next_field().await.map_err(|e| refuse(&e))? {
@@ -315,7 +494,7 @@ impl Fields {
                     let left = &mut left[usize::from(name == "target")];
                     let bytes = read_field(field, *left).await.map_err(|e| match e {
                         Some(error) => refuse(&error),
-                        None => too_large(&name, limit).member("input", name.clone().into()),
+                        None => field_too_large(&name, limit).member("input", name.clone().into()),
                     })?;
                     *left -= bytes.len();
                     let slot = if name == "source" { &mut self.source } else { &mut self.target };
@@ -324,15 +503,16 @@ impl Fields {
                         Err(Unjoined) => self.faults.push(FieldError::new(format!("/{name}"), "repeated", REPEATED)),
                     }
                 }
-                "parameters" | "labels" | "external_ref" | "priority" | "deadline_at" | "max_run_s" | "use_cache" => {
+                "parameters" | "tags" | FORMER_TAGS | "external_ref" | "priority" | "deadline_at" | "max_run_s"
+                | "use_cache" => {
                     let limit = match name.as_str() {
                         "parameters" => limits.max_parameters_bytes,
-                        "labels" => MAX_LABELS_TEXT,
+                        "tags" | FORMER_TAGS => MAX_TAGS_TEXT,
                         _ => MAX_TEXT_BYTES,
                     };
                     let bytes = read_field(field, limit).await.map_err(|e| match e {
                         Some(error) => refuse(&error),
-                        None => too_large(&name, limit),
+                        None => field_too_large(&name, limit),
                     })?;
                     self.take_text(&name, &bytes);
                 }
@@ -375,8 +555,15 @@ impl Fields {
                     self.faults.push(fault);
                 }
             },
-            "labels" => match serde_json::from_str(text) {
-                Ok(labels) => self.take_labels(labels),
+            "tags" | FORMER_TAGS if self.texts.contains("tags") && self.texts.contains(FORMER_TAGS) => {
+                self.fault(FORMER_TAGS, "repeated", "is the former name of tags; send tags only");
+            }
+            "tags" => match serde_json::from_str(text) {
+                Ok(tags) => self.take_tags(tags, SentTags::default()),
+                Err(_) => self.fault(name, "wrong_type", "must be a JSON object of strings, each key once"),
+            },
+            FORMER_TAGS => match serde_json::from_str(text) {
+                Ok(former) => self.take_tags(SentTags::default(), former),
                 Err(_) => self.fault(name, "wrong_type", "must be a JSON object of strings, each key once"),
             },
             "external_ref" => self.take_external_ref(text.to_owned()),
@@ -401,6 +588,7 @@ impl Fields {
             source,
             target,
             parameters,
+            tags,
             labels,
             external_ref,
             priority,
@@ -408,16 +596,17 @@ impl Fields {
             max_run_s,
             use_cache,
         } = document;
-        self.source = self.take_input("source", source, max_file_bytes);
-        self.target = self.take_input("target", target, max_file_bytes);
+        let files = SentFiles::default();
+        self.source = self.take_input("source", source, &files, max_file_bytes);
+        self.target = self.take_input("target", target, &files, max_file_bytes);
         if let Some(parameters) = parameters {
             self.take_parameters(parameters);
         }
-        self.take_details(SentDetails { labels, external_ref, priority, deadline_at, max_run_s, use_cache });
+        self.take_details(SentDetails { tags, labels, external_ref, priority, deadline_at, max_run_s, use_cache });
     }
 
     fn take_details(&mut self, details: SentDetails) {
-        self.take_labels(details.labels);
+        self.take_tags(details.tags, details.labels);
         if let Some(text) = details.external_ref {
             self.take_external_ref(text);
         }
@@ -435,11 +624,12 @@ impl Fields {
         &mut self,
         name: &str,
         input: SubmittedInputDocument,
+        files: &SentFiles,
         max_file_bytes: usize,
     ) -> Option<SubmittedInput> {
-        let SubmittedInputDocument { mesh_id, content_base64, file_name } = input;
-        match (mesh_id, content_base64) {
-            (Some(id), None) => match hash_of_id(&id) {
+        let SubmittedInputDocument { mesh_id, content_base64, upload, file_name } = input;
+        match (mesh_id, content_base64, upload) {
+            (Some(id), None, None) => match hash_of_id(&id) {
                 Some(hash) => Some(SubmittedInput::Mesh(hash.to_owned())),
                 None => {
                     let detail = "must be the id of an upload: blake3: and 64 hexadecimal digits";
@@ -447,7 +637,15 @@ impl Fields {
                     None
                 }
             },
-            (None, Some(Content(decoded))) => match decoded {
+            (None, None, Some(sent)) => {
+                let found = files.0.get(&sent).cloned();
+                if found.is_none() {
+                    let detail = "must be the name of a file in the field files of the form";
+                    self.fault(&format!("{name}/upload"), "missing", detail);
+                }
+                found
+            }
+            (None, Some(Content(decoded)), None) => match decoded {
                 Some(bytes) if bytes.len() <= max_file_bytes => {
                     let name_hint = file_name.as_deref().and_then(name_hint);
                     Some(SubmittedInput::File(SubmittedFile { bytes, name_hint }))
@@ -463,7 +661,7 @@ impl Fields {
                 }
             },
             _ => {
-                self.fault(name, "out_of_range", "must have exactly one of mesh_id and content_base64");
+                self.fault(name, "out_of_range", "must have exactly one of mesh_id, content_base64 and upload");
                 None
             }
         }
@@ -476,10 +674,10 @@ impl Fields {
         }
     }
 
-    fn take_labels(&mut self, SentLabels(labels): SentLabels) {
-        match Labels::new(labels) {
-            Ok(labels) => self.details.labels = labels,
-            Err(fault) => self.metadata_fault("labels", fault),
+    fn take_tags(&mut self, tags: SentTags, former: SentTags) {
+        match tags_of(tags, former) {
+            Ok(tags) => self.details.tags = tags,
+            Err((name, allowed)) => self.fault(name, "out_of_range", &allowed),
         }
     }
 

@@ -27,9 +27,10 @@ pub(crate) struct JobDocument {
     pub(crate) method: String,
     /// Version of the program that accepted the job.
     pub(crate) method_version: String,
-    /// All parameters, with defaults filled in.
-    #[schema(value_type = MatchParameters)]
-    pub(crate) parameters: Value,
+    /// All parameters, with defaults filled in; only if `fields` names them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<MatchParameters>)]
+    pub(crate) parameters: Option<Value>,
     /// The surface that is moved onto the target.
     pub(crate) source: InputDocument,
     /// The surface that stays in place.
@@ -40,7 +41,10 @@ pub(crate) struct JobDocument {
     /// Jobs with a higher priority run first.
     #[schema(minimum = -100, maximum = 100)]
     pub(crate) priority: i32,
-    /// Labels of the client's choice.
+    /// Tags of the client's choice.
+    pub(crate) tags: BTreeMap<String, String>,
+    /// The former name of `tags`, until 0.3.
+    #[schema(deprecated)]
     pub(crate) labels: BTreeMap<String, String>,
     /// The client's own id.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -403,7 +407,10 @@ pub(crate) struct BatchDocument {
     pub(crate) counts: BTreeMap<JobState, u32>,
     /// Whether none of its jobs is queued or running.
     pub(crate) finished: bool,
-    /// Labels of the client's choice.
+    /// Tags of the client's choice.
+    pub(crate) tags: BTreeMap<String, String>,
+    /// The former name of `tags`, until 0.3.
+    #[schema(deprecated)]
     pub(crate) labels: BTreeMap<String, String>,
     /// The client's own id.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -502,12 +509,13 @@ impl From<&Job> for JobDocument {
             state: job.state,
             method: job.method.clone(),
             method_version: job.method_version.clone(),
-            parameters: job.parameters.clone(),
+            parameters: None,
             source: (&job.source).into(),
             target: (&job.target).into(),
             seed: job.parameters.get("seed").and_then(Value::as_u64),
             priority: job.priority,
-            labels: job.labels.clone(),
+            tags: job.tags.clone(),
+            labels: job.tags.clone(),
             external_ref: job.external_ref.clone(),
             attempt: job.attempt,
             max_attempts: job.max_attempts,
@@ -565,7 +573,8 @@ impl From<&Batch> for BatchDocument {
             n_jobs: batch.n_jobs,
             counts: batch.counts.clone(),
             finished: batch.is_finished(),
-            labels: batch.labels.clone(),
+            tags: batch.tags.clone(),
+            labels: batch.tags.clone(),
             external_ref: batch.external_ref.clone(),
             created_at: batch.created_at,
             links: BatchLinks {
@@ -647,10 +656,18 @@ impl From<&JobInput> for InputDocument {
     }
 }
 
-impl From<&JobPage> for JobListDocument {
-    fn from(page: &JobPage) -> Self {
+impl JobDocument {
+    /// A job with its parameters, if they are asked for.
+    pub(crate) fn of(job: &Job, with_parameters: bool) -> Self {
+        JobDocument { parameters: with_parameters.then(|| job.parameters.clone()), ..JobDocument::from(job) }
+    }
+}
+
+impl JobListDocument {
+    /// A page of jobs, with their parameters if they are asked for.
+    pub(crate) fn of(page: &JobPage, with_parameters: bool) -> Self {
         JobListDocument {
-            jobs: page.jobs.iter().map(JobDocument::from).collect(),
+            jobs: page.jobs.iter().map(|job| JobDocument::of(job, with_parameters)).collect(),
             next_page_token: page.next.map(|cursor| cursor.to_token()),
         }
     }

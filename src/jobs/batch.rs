@@ -1,7 +1,7 @@
 //! Batches: many jobs that are submitted at once and counted together.
 
 use super::job::{Cursor, Tenant};
-use super::metadata::{ExternalRef, Labels};
+use super::metadata::{ExternalRef, Tags};
 use super::state::JobState;
 use jiff::Timestamp;
 use std::collections::BTreeMap;
@@ -38,8 +38,8 @@ pub struct NewBatch {
     pub id: BatchId,
     /// Owner.
     pub tenant: Tenant,
-    /// Labels of the submitter.
-    pub labels: Labels,
+    /// Tags of the submitter.
+    pub tags: Tags,
     /// The submitter's own identifier.
     pub external_ref: Option<ExternalRef>,
 }
@@ -53,8 +53,8 @@ pub struct Batch {
     pub tenant: Tenant,
     /// Number of jobs with which it was submitted.
     pub n_jobs: u32,
-    /// Labels of the submitter.
-    pub labels: BTreeMap<String, String>,
+    /// Tags of the submitter.
+    pub tags: BTreeMap<String, String>,
     /// The submitter's own identifier.
     pub external_ref: Option<String>,
     /// When it was accepted.

@@ -1,4 +1,4 @@
-//! Following jobs, batches and the feed of changes: one reader of the store for each resource that is followed, however
+//! Following jobs, batches, studies and the feed of changes: one reader of the store for each resource that is followed, however
 //! many clients follow it.
 //!
 //! A reader queries the store at intervals, and at once when this process signals a change of state, and publishes what it
@@ -11,6 +11,7 @@ use super::job::{Job, JobId, Tenant};
 use super::ports::JobStore;
 use super::signals::{Moves, Signals};
 use super::state::JobState;
+use super::study::{Study, StudyId, StudyStore};
 use super::trace::NumberedPoint;
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -22,7 +23,7 @@ use tokio::sync::watch;
 const POLL_RUNNING: Duration = Duration::from_millis(150);
 /// Interval between queries for a queued job.
 const POLL_QUEUED: Duration = Duration::from_millis(250);
-/// Interval between queries for a batch or for new changes: jobs of other processes are seen within this time.
+/// Interval between queries for a batch, a study or for new changes: jobs of other processes are seen within this time.
 const POLL_MANY: Duration = Duration::from_millis(250);
 /// Least interval between such queries, however often jobs change.
 const LEAST_MANY: Duration = Duration::from_millis(50);
@@ -105,15 +106,18 @@ impl<K: Eq + Hash, T> Shared<K, T> {
 /// What is followed in this process.
 pub(super) struct Feeds {
     store: Arc<dyn JobStore>,
+    study_store: Arc<dyn StudyStore>,
     signals: Arc<Signals>,
     jobs: Shared<(Tenant, JobId), Seen>,
     batches: Shared<(Tenant, BatchId), Batch>,
+    studies: Shared<(Tenant, StudyId), Study>,
     changes: Shared<(Tenant, u64), bool>,
 }
 
 impl Feeds {
-    pub(super) fn new(store: Arc<dyn JobStore>, signals: Arc<Signals>) -> Self {
-        Feeds { store, signals, jobs: Shared::new(), batches: Shared::new(), changes: Shared::new() }
+    pub(super) fn new(store: Arc<dyn JobStore>, study_store: Arc<dyn StudyStore>, signals: Arc<Signals>) -> Self {
+        let (jobs, batches, studies, changes) = (Shared::new(), Shared::new(), Shared::new(), Shared::new());
+        Feeds { store, study_store, signals, jobs, batches, studies, changes }
     }
 
     pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed<Seen>>, JobError> {
@@ -134,6 +138,15 @@ impl Feeds {
         Ok(self.batches.join(key.clone(), batch, |sender| {
             let moves = self.signals.all_moves();
             read_batch(Arc::clone(&self.store), key, moves, sender)
+        }))
+    }
+
+    pub(super) async fn follow_study(&self, tenant: &Tenant, id: StudyId) -> Result<Arc<Feed<Study>>, JobError> {
+        let study = self.study_store.get_study(tenant, id).await?;
+        let key = (tenant.clone(), id);
+        Ok(self.studies.join(key.clone(), study, |sender| {
+            let moves = self.signals.all_moves();
+            read_study(Arc::clone(&self.study_store), key, moves, sender)
         }))
     }
 
@@ -233,6 +246,35 @@ async fn read_batch(
             Err(JobError::BatchNotFound) => return,
             Err(error) => {
                 tracing::debug!(%error, "a followed batch cannot be read now");
+                tokio::time::sleep(POLL_FAILING).await;
+            }
+        }
+        pause_among_many(&mut moves).await;
+    }
+}
+
+async fn read_study(
+    store: Arc<dyn StudyStore>,
+    (tenant, id): (Tenant, StudyId),
+    mut moves: Moves,
+    sender: watch::Sender<Arc<Study>>,
+) {
+    loop {
+        match store.get_study(&tenant, id).await {
+            Ok(study) => {
+                let is_final = study.state.is_final();
+                sender.send_if_modified(|seen| {
+                    let changed = **seen != study;
+                    *seen = Arc::new(study);
+                    changed
+                });
+                if is_final {
+                    return;
+                }
+            }
+            Err(JobError::StudyNotFound) => return,
+            Err(error) => {
+                tracing::debug!(study_id = %id, %error, "a followed study cannot be read now");
                 tokio::time::sleep(POLL_FAILING).await;
             }
         }

@@ -2,7 +2,7 @@
 
 use super::batch::BatchId;
 use super::documents::Verdict;
-use super::metadata::{ExternalRef, Labels};
+use super::metadata::{ExternalRef, Tags};
 use super::state::JobState;
 use super::study::{STEP_METHOD, StudyId};
 use super::trace::Progress;
@@ -94,7 +94,7 @@ pub struct JobInput {
 pub struct Failure {
     /// Stable name of the problem.
     pub code: String,
-    /// One sentence, without anything from file names or labels.
+    /// One sentence, without anything from file names or tags.
     pub detail: String,
     /// `source` or `target`, if one of them is the cause.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -135,8 +135,8 @@ pub struct Job {
     pub target: JobInput,
     /// −100 to 100, higher first.
     pub priority: i32,
-    /// Labels of the submitter.
-    pub labels: BTreeMap<String, String>,
+    /// Tags of the submitter.
+    pub tags: BTreeMap<String, String>,
     /// The submitter's own identifier.
     pub external_ref: Option<String>,
     /// Number of times that a worker started it, not counting those that returned it to the queue.
@@ -249,8 +249,8 @@ pub struct NewJob {
     pub target: JobInput,
     /// −100 to 100, higher first.
     pub priority: i32,
-    /// Labels of the submitter.
-    pub labels: Labels,
+    /// Tags of the submitter.
+    pub tags: Tags,
     /// The submitter's own identifier.
     pub external_ref: Option<ExternalRef>,
     /// Number of lost workers after which it is dead.
@@ -288,8 +288,8 @@ pub struct JobFilter {
     pub batch_id: Option<BatchId>,
     /// This study.
     pub study_id: Option<StudyId>,
-    /// All of these labels.
-    pub labels: BTreeMap<String, String>,
+    /// All of these tags.
+    pub tags: BTreeMap<String, String>,
     /// Created at this time or later.
     pub created_from: Option<Timestamp>,
     /// Created before this time.
@@ -297,8 +297,8 @@ pub struct JobFilter {
 }
 
 impl JobFilter {
-    /// Maximum number of labels in a filter: the store's query has a line for each.
-    pub const MAX_LABELS: usize = 4;
+    /// Maximum number of tags in a filter: the store's query has a line for each.
+    pub const MAX_TAGS: usize = 4;
 }
 
 /// Order of a list by creation time.

@@ -1,4 +1,4 @@
-//! What a submitter writes on a job or a batch: labels and a reference of their own.
+//! What a submitter writes on a job or a batch: tags and a reference of their own.
 //!
 //! A value of these types is within its limits, whichever way it came in: a form, JSON, a batch, a retry. A new job or batch
 //! has no other fields for them, so no way in can skip the check.
@@ -7,15 +7,15 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Deref;
 
-/// Why labels or a reference are refused. The texts repeat nothing of what was sent.
+/// Why tags or a reference are refused. The texts repeat nothing of what was sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum MetadataFault {
-    /// Too many labels.
-    #[error("must have at most {} labels, those of the batch included", Labels::MAX)]
-    TooManyLabels,
+    /// Too many tags.
+    #[error("must have at most {} tags, those of the batch included", Tags::MAX)]
+    TooManyTags,
     /// A key or a value is too long, or a key is empty.
-    #[error("keys must have 1 to {n} bytes, values at most {n}", n = Labels::MAX_BYTES)]
-    LabelLength,
+    #[error("keys must have 1 to {n} bytes, values at most {n}", n = Tags::MAX_BYTES)]
+    TagLength,
     /// A reference is too long.
     #[error("must have at most {} bytes", ExternalRef::MAX_BYTES)]
     ReferenceLength,
@@ -28,9 +28,9 @@ impl MetadataFault {
     /// The field that it is in.
     pub fn field(self) -> &'static str {
         match self {
-            MetadataFault::TooManyLabels | MetadataFault::LabelLength => "labels",
+            MetadataFault::TooManyTags | MetadataFault::TagLength => "tags",
             MetadataFault::ReferenceLength => "external_ref",
-            MetadataFault::Nul => "labels",
+            MetadataFault::Nul => "tags",
         }
     }
 }
@@ -38,43 +38,43 @@ impl MetadataFault {
 /// Labels of a job or a batch.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 #[serde(transparent)]
-pub struct Labels(BTreeMap<String, String>);
+pub struct Tags(BTreeMap<String, String>);
 
-impl Labels {
-    /// Maximum number of labels.
+impl Tags {
+    /// Maximum number of tags.
     pub const MAX: usize = 64;
     /// Maximum length of a key and of a value, bytes.
     pub const MAX_BYTES: usize = 256;
 
-    /// These labels.
+    /// These tags.
     ///
     /// # Errors
     /// [`MetadataFault`].
-    pub fn new(labels: BTreeMap<String, String>) -> Result<Self, MetadataFault> {
-        if labels.len() > Labels::MAX {
-            return Err(MetadataFault::TooManyLabels);
+    pub fn new(tags: BTreeMap<String, String>) -> Result<Self, MetadataFault> {
+        if tags.len() > Tags::MAX {
+            return Err(MetadataFault::TooManyTags);
         }
-        if labels.iter().any(|(key, value)| key.is_empty() || key.len().max(value.len()) > Labels::MAX_BYTES) {
-            return Err(MetadataFault::LabelLength);
+        if tags.iter().any(|(key, value)| key.is_empty() || key.len().max(value.len()) > Tags::MAX_BYTES) {
+            return Err(MetadataFault::TagLength);
         }
-        if labels.iter().any(|(key, value)| key.contains('\0') || value.contains('\0')) {
+        if tags.iter().any(|(key, value)| key.contains('\0') || value.contains('\0')) {
             return Err(MetadataFault::Nul);
         }
-        Ok(Labels(labels))
+        Ok(Tags(tags))
     }
 
-    /// These labels and `own`, which take precedence.
+    /// These tags and `own`, which take precedence.
     ///
     /// # Errors
-    /// [`MetadataFault::TooManyLabels`].
-    pub fn with(&self, own: &Labels) -> Result<Self, MetadataFault> {
+    /// [`MetadataFault::TooManyTags`].
+    pub fn with(&self, own: &Tags) -> Result<Self, MetadataFault> {
         let mut all = self.0.clone();
         all.extend(own.0.clone());
-        Labels::new(all)
+        Tags::new(all)
     }
 }
 
-impl Deref for Labels {
+impl Deref for Tags {
     type Target = BTreeMap<String, String>;
 
     fn deref(&self) -> &Self::Target {
@@ -115,23 +115,23 @@ impl ExternalRef {
 mod tests {
     use super::*;
 
-    fn labels(pairs: impl IntoIterator<Item = (String, String)>) -> Result<Labels, MetadataFault> {
-        Labels::new(pairs.into_iter().collect())
+    fn tags(pairs: impl IntoIterator<Item = (String, String)>) -> Result<Tags, MetadataFault> {
+        Tags::new(pairs.into_iter().collect())
     }
 
     #[test]
     fn labels_have_limits() {
         let numbered = |n: usize| (0..n).map(|i| (format!("k{i}"), String::new()));
-        assert_eq!(labels(numbered(Labels::MAX)).unwrap().len(), Labels::MAX);
-        assert_eq!(labels(numbered(Labels::MAX + 1)), Err(MetadataFault::TooManyLabels));
+        assert_eq!(tags(numbered(Tags::MAX)).unwrap().len(), Tags::MAX);
+        assert_eq!(tags(numbered(Tags::MAX + 1)), Err(MetadataFault::TooManyTags));
         for (key, value) in [("", "x"), (&"k".repeat(257), "x"), ("k", &"v".repeat(257))] {
-            assert_eq!(labels([(key.to_owned(), value.to_owned())]), Err(MetadataFault::LabelLength));
+            assert_eq!(tags([(key.to_owned(), value.to_owned())]), Err(MetadataFault::TagLength));
         }
         for (key, value) in [("a\0", "x"), ("k", "\0")] {
-            assert_eq!(labels([(key.to_owned(), value.to_owned())]), Err(MetadataFault::Nul));
+            assert_eq!(tags([(key.to_owned(), value.to_owned())]), Err(MetadataFault::Nul));
         }
-        let (many, other) = (labels(numbered(40)).unwrap(), labels((0..40).map(|i| (format!("o{i}"), String::new()))));
-        assert_eq!(many.with(&other.unwrap()), Err(MetadataFault::TooManyLabels));
+        let (many, other) = (tags(numbered(40)).unwrap(), tags((0..40).map(|i| (format!("o{i}"), String::new()))));
+        assert_eq!(many.with(&other.unwrap()), Err(MetadataFault::TooManyTags));
         assert_eq!(many.with(&many).unwrap(), many);
     }
 

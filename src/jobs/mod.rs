@@ -70,7 +70,8 @@ pub use study::{Study, StudyBlob, StudyChange, StudyId, StudyPage, StudyState, S
 pub use study_outline::{OutlinedSubject, StudyOutline};
 pub use study_progress::StudyProgression;
 pub use submission::{
-    Accepted, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput, Validated,
+    Accepted, BatchForm, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput,
+    Validated,
 };
 pub use ticket::{MAX_TICKETS, TICKET_LASTS, Ticket};
 pub use trace::{NumberedPoint, Progress, TraceChunk, TracePage};

@@ -153,6 +153,10 @@ pub struct Load {
     pub running: u32,
     /// For how long the oldest queued job has been waiting.
     pub oldest_queued: Duration,
+    /// Processes with a running job.
+    pub busy_workers: u32,
+    /// Processes that would run jobs and have none.
+    pub idle_workers: u32,
 }
 
 /// How a job ended.
@@ -296,6 +300,12 @@ pub trait JobQueue: Send + Sync {
 
     /// Returns a job to the queue without counting an attempt. Fenced.
     async fn release_job(&self, lease: &Lease) -> Result<(), JobError>;
+
+    /// Notes that `worker` runs jobs or waits for some; counted as idle for a minute from then.
+    async fn note_worker(&self, worker: &WorkerId) -> Result<(), JobError>;
+
+    /// Notes that `worker` runs no more jobs.
+    async fn forget_worker(&self, worker: &WorkerId) -> Result<(), JobError>;
 
     /// Notifies `wake` of jobs that other processes queue, and never returns. Only a hint: a store may notify of none.
     async fn follow_queued(&self, wake: &tokio::sync::Notify);

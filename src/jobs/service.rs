@@ -16,7 +16,7 @@ use super::retention::Retentions;
 use super::signals::Signals;
 use super::state::JobState;
 use super::stored::StoredBytes;
-use super::study::StudyStore;
+use super::study::{Study, StudyId, StudyStore};
 use super::study_progress::StudyProgression;
 use super::trace::TracePage;
 use super::webhook::WebhookStore;
@@ -103,7 +103,7 @@ impl JobService {
     pub fn new(stores: Stores, engine: Arc<dyn Engine>, limits: SubmissionLimits, signals: Arc<Signals>) -> Self {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
         let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
-        let feeds = Feeds::new(Arc::clone(&stores.jobs), Arc::clone(&signals));
+        let feeds = Feeds::new(Arc::clone(&stores.jobs), Arc::clone(&stores.studies), Arc::clone(&signals));
         let recorder = Recorder::new(Arc::clone(&stores.audit));
         JobService {
             stores,
@@ -251,6 +251,14 @@ impl JobService {
     /// Follows the feed of changes: turns true when there are changes after number `since`.
     pub fn follow_changes(&self, tenant: &Tenant, since: u64) -> Arc<Feed<bool>> {
         self.feeds.follow_changes(tenant, since)
+    }
+
+    /// Follows a study.
+    ///
+    /// # Errors
+    /// [`JobError::StudyNotFound`].
+    pub async fn follow_study(&self, tenant: &Tenant, id: StudyId) -> Result<Arc<Feed<Study>>, JobError> {
+        self.feeds.follow_study(tenant, id).await
     }
 
     /// Cancels all unfinished jobs that match a filter.

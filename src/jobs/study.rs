@@ -9,7 +9,7 @@
 use super::documents::BodySide;
 use super::engine::InputSummary;
 use super::job::{Cursor, Failure, JobId, JobInput, NewJob, Tenant};
-use super::metadata::{ExternalRef, Labels};
+use super::metadata::{ExternalRef, Tags};
 use super::ports::ArtifactKey;
 use super::state::JobState;
 use super::{Admission, JobError};
@@ -370,8 +370,8 @@ pub struct NewStudy {
     pub n_subjects: u32,
     /// Priority of its jobs.
     pub priority: i32,
-    /// Labels of the submitter.
-    pub labels: Labels,
+    /// Tags of the submitter.
+    pub tags: Tags,
     /// The submitter's own identifier.
     pub external_ref: Option<ExternalRef>,
     /// Lost workers after which a job of it is dead.
@@ -403,8 +403,8 @@ pub struct Study {
     pub n_subjects: u32,
     /// Priority of its jobs.
     pub priority: i32,
-    /// Labels of the submitter.
-    pub labels: BTreeMap<String, String>,
+    /// Tags of the submitter.
+    pub tags: BTreeMap<String, String>,
     /// The submitter's own identifier.
     pub external_ref: Option<String>,
     /// Lost workers after which a job of it is dead.
@@ -525,6 +525,12 @@ pub trait StudyStore: Send + Sync {
 
     /// Cancels a study and its jobs. [`JobError::StudyFinal`] if it has ended otherwise.
     async fn cancel_study(&self, tenant: &Tenant, id: StudyId) -> Result<Study, JobError>;
+
+    /// Changes the priority of a study and of its jobs that have not ended.
+    ///
+    /// # Errors
+    /// [`JobError::StudyFinal`] if it has ended.
+    async fn set_study_priority(&self, tenant: &Tenant, id: StudyId, priority: i32) -> Result<Study, JobError>;
 
     /// Removes a study with its jobs and blobs. [`JobError::StudyActive`] before it and its jobs have ended.
     async fn delete_study(&self, tenant: &Tenant, id: StudyId) -> Result<(), JobError>;

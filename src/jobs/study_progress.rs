@@ -6,7 +6,7 @@
 
 use super::error::JobError;
 use super::job::{Failure, JobId, JobInput, NewJob, Tenant};
-use super::metadata::{ExternalRef, Labels};
+use super::metadata::{ExternalRef, Tags};
 use super::ports::{ArtifactKey, ArtifactKind, ArtifactStore, JobStore};
 use super::retention::Retentions;
 use super::signals::Signals;
@@ -133,7 +133,7 @@ impl StudyProgression {
             method: STEP_METHOD.to_owned(),
             method_version: env!("CARGO_PKG_VERSION").to_owned(),
             parameters: json!({"method": STEP_METHOD, "size": definition.size()}),
-            labels: Labels::default(),
+            tags: Tags::default(),
             max_run_ms: None,
             ..self.job(study, largest, all)
         };
@@ -153,7 +153,7 @@ impl StudyProgression {
             target,
             priority: study.priority,
             // An earlier version may have stored what is not allowed any more.
-            labels: Labels::new(study.labels.clone()).unwrap_or_default(),
+            tags: Tags::new(study.tags.clone()).unwrap_or_default(),
             external_ref: None,
             max_attempts: study.max_attempts,
             deadline_at: None,

@@ -180,7 +180,7 @@ impl JobService {
             method_version: resolved.method_version,
             n_subjects: u32::try_from(definition.subjects.len()).unwrap_or(u32::MAX),
             priority: details.priority,
-            labels: details.labels,
+            tags: details.tags,
             external_ref: details.external_ref,
             max_attempts: self.limits.max_attempts,
             max_queued: self.limits.max_queued,
@@ -296,6 +296,14 @@ impl JobService {
     /// [`JobError::StudyFinal`] if it has ended otherwise.
     pub async fn cancel_study(&self, tenant: &Tenant, id: StudyId) -> Result<Study, JobError> {
         self.stores.studies.cancel_study(tenant, id).await
+    }
+
+    /// Changes the priority of a study: of its queued jobs and of those to come.
+    ///
+    /// # Errors
+    /// [`JobError::StudyFinal`] if it has ended.
+    pub async fn set_study_priority(&self, tenant: &Tenant, id: StudyId, priority: i32) -> Result<Study, JobError> {
+        self.stores.studies.set_study_priority(tenant, id, priority).await
     }
 
     /// Deletes a study with its jobs, its inputs unless they are uploads, and its results.

@@ -6,7 +6,7 @@ use super::engine::{InputRefusal, InputSummary, ParameterFault, Resolved};
 use super::error::JobError;
 use super::job::{Job, JobId, JobInput, NewJob, Tenant};
 use super::mesh::{CheckOutcome, Mesh};
-use super::metadata::{ExternalRef, Labels, MetadataFault};
+use super::metadata::{ExternalRef, MetadataFault, Tags};
 use super::ports::ArtifactKey;
 use super::service::JobService;
 use super::study::StudyFault;
@@ -48,8 +48,8 @@ pub struct Submission {
 pub struct Details {
     /// −100 to 100, higher first.
     pub priority: i32,
-    /// Labels of the submitter.
-    pub labels: Labels,
+    /// Tags of the submitter.
+    pub tags: Tags,
     /// The submitter's own identifier.
     pub external_ref: Option<ExternalRef>,
     /// Deadline for its start.
@@ -87,27 +87,59 @@ pub struct SubmittedFile {
 pub struct BatchSubmission {
     /// Owner.
     pub tenant: Tenant,
+    /// What its jobs match; an input that several jobs have is here once.
+    pub inputs: Vec<SubmittedInput>,
+    /// How its jobs were written.
+    pub form: BatchForm,
     /// Its jobs.
     pub pairs: Vec<BatchPair>,
     /// Parameters of all of them.
     pub parameters: Value,
-    /// Details of all of them; the labels of each pair are added.
+    /// Details of all of them; the tags of each pair are added.
     pub details: Details,
     /// The submitter's idempotency key.
     pub idempotency_key: Option<String>,
 }
 
-/// A job of a batch, whose inputs are hashes of uploads.
+/// How a batch was written, by which its faults are named.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BatchForm {
+    /// A list of pairs.
+    Pairs,
+    /// Subjects that are moved onto a template.
+    TemplateAsTarget,
+    /// Subjects onto which a template is moved.
+    TemplateAsSource,
+}
+
+impl BatchForm {
+    /// The JSON pointer of a job.
+    pub fn job(self, number: usize) -> String {
+        let list = if self == BatchForm::Pairs { "pairs" } else { "subjects" };
+        format!("/{list}/{number}")
+    }
+
+    /// The JSON pointer of an input, `source` or `target`, of a job.
+    pub fn input(self, number: usize, side: &str) -> String {
+        match (self, side) {
+            (BatchForm::Pairs, side) => format!("/pairs/{number}/{side}"),
+            (BatchForm::TemplateAsTarget, "target") | (BatchForm::TemplateAsSource, "source") => "/template".to_owned(),
+            _ => format!("/subjects/{number}/input"),
+        }
+    }
+}
+
+/// A job of a batch.
 #[derive(Debug, Clone)]
 pub struct BatchPair {
-    /// The surface that is moved.
-    pub source: String,
-    /// The surface that stays fixed.
-    pub target: String,
+    /// The surface that is moved: its place in the inputs of the batch.
+    pub source: usize,
+    /// The surface that stays fixed: its place in the inputs of the batch.
+    pub target: usize,
     /// The submitter's own identifier of the job.
     pub external_ref: Option<ExternalRef>,
-    /// Its own labels.
-    pub labels: Labels,
+    /// Its own tags.
+    pub tags: Tags,
 }
 
 /// The answer to a submission.
@@ -147,17 +179,17 @@ pub enum SubmitError {
     /// Each input could be matched, but not this pair.
     #[error("{}", .0.detail)]
     Pair(InputRefusal),
-    /// Some jobs of a batch cannot be matched: index of the job, input, and why.
-    #[error("{} jobs of the batch are not right", .0.len())]
-    Batch(Vec<(usize, &'static str, InputRefusal)>),
+    /// Some inputs of a batch cannot be matched: the JSON pointer of each, and why.
+    #[error("{} inputs of the batch are not right", .0.len())]
+    Batch(Vec<(String, InputRefusal)>),
     /// Who is in a study, or what is asked, is wrong, or inputs of it cannot be matched.
     #[error("{} faults of the study", .0.len())]
     Study(Vec<StudyFault>),
-    /// Labels or references beyond their limits: of one job of a batch, by its index, or of the job.
+    /// Tags or references beyond their limits: of one job of a batch, by its index, or of the job.
     #[error("{fault}")]
     Metadata {
-        /// Index of the job in its batch.
-        number: Option<usize>,
+        /// JSON pointer of the job in its batch; empty for a job of its own.
+        job: String,
         /// Why.
         fault: MetadataFault,
     },
@@ -262,8 +294,8 @@ impl JobService {
         }
         self.refuse_when_full(tenant).await?;
         // An earlier version may have stored what is not allowed any more.
-        let refused = |fault| SubmitError::Metadata { number: None, fault };
-        let labels = Labels::new(first.labels).map_err(refused)?;
+        let refused = |fault| SubmitError::Metadata { job: String::new(), fault };
+        let tags = Tags::new(first.tags).map_err(refused)?;
         let external_ref = ExternalRef::new(first.external_ref.unwrap_or_default()).map_err(refused)?;
         let job = NewJob {
             id: JobId::new(),
@@ -274,7 +306,7 @@ impl JobService {
             source: first.source,
             target: first.target,
             priority: first.priority,
-            labels,
+            tags,
             external_ref,
             max_attempts: self.limits.max_attempts,
             deadline_at: None,
@@ -307,19 +339,19 @@ impl JobService {
     }
 
     async fn submit_batch_once(&self, submission: BatchSubmission, once: Option<Once>) -> Result<Batch, SubmitError> {
-        let BatchSubmission { tenant, pairs, parameters, details, .. } = submission;
+        let BatchSubmission { tenant, inputs, form, pairs, parameters, details, .. } = submission;
         if pairs.len() > self.limits.max_batch {
             return Err(SubmitError::BatchTooLarge { limit: self.limits.max_batch });
         }
         let resolved = self.engine.resolve(&parameters).map_err(SubmitError::Parameters)?;
         self.refuse_when_full(&tenant).await?;
-        // Each upload is checked once, however many pairs contain it.
-        let mut checked: BTreeMap<String, Result<CheckedInput, InputRefusal>> = BTreeMap::new();
+        // Each input is checked once, however many pairs contain it.
+        let mut inputs: Vec<Option<SubmittedInput>> = inputs.into_iter().map(Some).collect();
+        let mut checked: BTreeMap<usize, Result<CheckedInput, InputRefusal>> = BTreeMap::new();
         let mut faults = Vec::new();
         for (number, pair) in pairs.iter().enumerate() {
-            for (side, hash) in [("source", &pair.source), ("target", &pair.target)] {
-                if !checked.contains_key(hash) {
-                    let input = SubmittedInput::Mesh(hash.clone());
+            for (side, place) in [("source", pair.source), ("target", pair.target)] {
+                if let Some(input) = inputs.get_mut(place).and_then(Option::take) {
                     let found = match self.check(&tenant, side, input, &resolved).await {
                         Ok(input) => Ok(input),
                         Err(SubmitError::Input { refusal, .. }) => Err(refusal),
@@ -331,10 +363,14 @@ impl JobService {
                         }),
                         Err(error) => return Err(error),
                     };
-                    checked.insert(hash.clone(), found);
+                    checked.insert(place, found);
                 }
-                if let Some(Err(refusal)) = checked.get(hash) {
-                    faults.push((number, side, refusal.clone()));
+                if let Some(Err(refusal)) = checked.get(&place) {
+                    let pointer = form.input(number, side);
+                    // The template is in every pair.
+                    if faults.iter().all(|(known, _)| *known != pointer) {
+                        faults.push((pointer, refusal.clone()));
+                    }
                 }
             }
             if faults.len() >= NAMED_FAULTS {
@@ -348,11 +384,14 @@ impl JobService {
                 continue;
             };
             if let Err(refusal) = resolved.computation.check_pair(&source.summary, &target.summary) {
-                faults.push((number, "target", refusal));
+                faults.push((
+                    form.input(number, if form == BatchForm::TemplateAsTarget { "source" } else { "target" }),
+                    refusal,
+                ));
             }
-            let labels = details.labels.with(&pair.labels);
-            let labels = labels.map_err(|fault| SubmitError::Metadata { number: Some(number), fault })?;
-            let own = Details { labels, external_ref: pair.external_ref.clone(), ..details.clone() };
+            let tags = details.tags.with(&pair.tags);
+            let tags = tags.map_err(|fault| SubmitError::Metadata { job: form.job(number), fault })?;
+            let own = Details { tags, external_ref: pair.external_ref.clone(), ..details.clone() };
             let job = self.new_job(&tenant, &resolved, [source, target], &own);
             jobs.push(NewJob { batch_id: Some(id), ..job });
         }
@@ -363,17 +402,26 @@ impl JobService {
         let batch = NewBatch {
             id,
             tenant: tenant.clone(),
-            labels: details.labels.clone(),
+            tags: details.tags.clone(),
             external_ref: details.external_ref.clone(),
         };
         let holder = id.to_string();
-        let keys: Vec<ArtifactKey> = checked.into_values().flatten().map(|input| input.key).collect();
+        // Files of equal content are one blob.
+        let inputs: BTreeMap<String, CheckedInput> =
+            checked.into_values().flatten().map(|input| (input.key.hash().to_owned(), input)).collect();
+        let keys: Vec<ArtifactKey> = inputs.values().map(|input| input.key.clone()).collect();
+        let n_bytes = inputs.values().filter_map(|input| input.bytes.as_ref()).map(|bytes| bytes.len() as u64).sum();
+        self.refuse_over_share(&tenant, n_bytes).await?;
+        self.note_stored(&tenant, n_bytes);
         let admission = self.admission(&tenant, &holder, once);
         let stored = async {
             self.stores.jobs.hold_blobs(&holder, &keys, HOLD, None).await?;
-            for key in &keys {
-                // The hold protects it from here on; an earlier removal would have deleted its record.
-                self.stores.meshes.get_mesh(&tenant, key.hash()).await?;
+            for input in inputs.into_values() {
+                match input.bytes {
+                    Some(bytes) => self.stores.artifacts.put(&input.key, bytes).await?,
+                    // The hold protects it from here on; an earlier removal would have deleted its record.
+                    None => drop(self.stores.meshes.get_mesh(&tenant, input.key.hash()).await?),
+                }
             }
             self.stores.jobs.insert_batch(&batch, &jobs, &admission).await
         };
@@ -443,7 +491,7 @@ impl JobService {
             source,
             target,
             priority: details.priority,
-            labels: details.labels.clone(),
+            tags: details.tags.clone(),
             external_ref: details.external_ref.clone(),
             max_attempts: self.limits.max_attempts,
             deadline_at: details.deadline_at,
@@ -585,7 +633,7 @@ pub(super) fn hash_of(value: &Value) -> String {
 pub(super) fn details_value(details: &Details) -> Value {
     json!([
         details.priority,
-        details.labels,
+        details.tags,
         details.external_ref,
         details.deadline_at,
         details.max_run_ms,
@@ -613,7 +661,9 @@ fn fingerprint(submission: &Submission) -> String {
 }
 
 fn fingerprint_of_batch(submission: &BatchSubmission) -> String {
-    let pair = |pair: &BatchPair| json!([pair.source, pair.target, pair.external_ref, pair.labels]);
+    let inputs: Vec<Value> = submission.inputs.iter().map(input_value).collect();
+    let pair =
+        |pair: &BatchPair| json!([inputs.get(pair.source), inputs.get(pair.target), pair.external_ref, pair.tags]);
     let pairs: Vec<Value> = submission.pairs.iter().map(pair).collect();
     hash_of(&json!([pairs, submission.parameters, details_value(&submission.details)]))
 }

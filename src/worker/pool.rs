@@ -12,7 +12,7 @@ use crate::jobs::{
 };
 use std::collections::HashMap;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tokio::task::{self, JoinError, JoinHandle, JoinSet};
 use tokio_util::sync::CancellationToken;
 
@@ -21,6 +21,8 @@ const AFTER_ERROR: Duration = Duration::from_secs(1);
 /// Wait after other processes claimed all jobs that could start here, so that the processes do not read the queue in
 /// step.
 const AFTER_MISS: Duration = Duration::from_millis(5);
+/// How often the store is told that this process runs jobs.
+const SEEN_EVERY: Duration = Duration::from_secs(15);
 /// Queued jobs that are read to find one that can start: more than start at once on any machine, and few enough that
 /// reading them takes a few milliseconds.
 const FRONT: u32 = 64;
@@ -164,12 +166,21 @@ struct Dispatcher {
     rooms: HashMap<task::Id, Room>,
     /// The jobs at the front of the queue.
     known: HashMap<JobId, Known>,
+    /// When the store was last told of this process.
+    seen: Option<Instant>,
 }
 
 impl Dispatcher {
     fn new(parts: PoolParts) -> Self {
         let capacity = Capacity::new(&parts.settings);
-        Dispatcher { parts, capacity, running: JoinSet::new(), rooms: HashMap::new(), known: HashMap::new() }
+        Dispatcher {
+            parts,
+            capacity,
+            running: JoinSet::new(),
+            rooms: HashMap::new(),
+            known: HashMap::new(),
+            seen: None,
+        }
     }
 
     async fn run(mut self) {
@@ -181,6 +192,7 @@ impl Dispatcher {
                 self.pause(AFTER_ERROR).await;
                 continue;
             }
+            self.note().await;
             if self.parts.quota.is_over() {
                 tracing::info!("the limit of jobs or of idle time is reached; the process exits");
                 self.parts.stop.cancel();
@@ -190,6 +202,16 @@ impl Dispatcher {
         }
         while let Some(ended) = self.running.join_next_with_id().await {
             self.free(ended);
+        }
+        // Otherwise it counts as idle for a minute.
+        let _ = self.parts.store.forget_worker(&self.parts.worker).await;
+    }
+
+    /// Tells the store now and then that this process runs jobs. What fails is done next time: only a count depends on it.
+    async fn note(&mut self) {
+        if self.seen.is_none_or(|seen| seen.elapsed() >= SEEN_EVERY) {
+            self.seen = Some(Instant::now());
+            let _ = self.parts.store.note_worker(&self.parts.worker).await;
         }
     }
 

@@ -41,7 +41,7 @@ public class Roundtrip {
   }
 
   static JobDocument finished(JobDocument job) throws ApiException {
-    while (job.getState() == JobState.QUEUED || job.getState() == JobState.RUNNING) job = jobs.getJob(job.getId(), 20, null);
+    while (job.getState() == JobState.QUEUED || job.getState() == JobState.RUNNING) job = jobs.getJob(job.getId(), null, 20, null);
     return job;
   }
 
@@ -77,6 +77,8 @@ public class Roundtrip {
     Object sent = jobs.submitJob(pair(source, target, rigid), null, "java-1", null, null).getActualInstance();
     check(sent instanceof JobDocument, sent);
     JobDocument job = finished((JobDocument) sent);
+    check(job.getParameters() == null, job);
+    job = jobs.getJob(job.getId(), "*", null, null);
     check(job.getState() == JobState.SUCCEEDED && job.getParameters().getEnergy().getAlpha() == 2.0, job);
     Object again = jobs.submitJob(pair(source, target, rigid), null, "java-1", null, null).getActualInstance();
     check(((JobDocument) again).getId().equals(job.getId()), again);
@@ -92,7 +94,8 @@ public class Roundtrip {
     // A batch, with the template as source.
     BatchesApi batches = new BatchesApi(client);
     BatchDocument batch = batches.submitBatch(
-        new BatchSubmissionDocument().template(source).templateAs(TemplateSide.SOURCE).addSubjectsItem(new SubjectDocument().meshId(target))
+        new BatchSubmissionDocument().template(new SubmittedInputDocument().meshId(source)).templateAs(TemplateSide.SOURCE)
+            .addSubjectsItem(new SubjectDocument().input(new SubmittedInputDocument().meshId(target)))
             .parameters(new PartialParameters().method(Method.RIGID).seed(9L)), null);
     while (!batch.getFinished()) batch = batches.getBatch(batch.getId(), 20, null);
     JobDocument member = batches.listBatchJobs(batch.getId(), null, null).getJobs().get(0);

@@ -42,11 +42,13 @@ meshes = [answer(m.MeshDocument, http.post("/v1/meshes", content=open(path, "rb"
 body = m.SubmissionDocument(source={"mesh_id": meshes[0].id}, target={"mesh_id": meshes[1].id},
                             parameters=m.PartialParameters(method="rigid", seed=4))
 job = finished(answer(m.JobDocument, http.post("/v1/jobs", json=body.model_dump(mode="json", exclude_unset=True)), 202))
-assert job.state.value == "succeeded" and job.parameters.seed == 4
+assert job.state.value == "succeeded" and job.seed == 4 and job.parameters is None
+job = answer(m.JobDocument, http.get(job.links.self, params={"fields": "*"}))
+assert job.parameters.seed == 4
 result = answer(m.JobResultDocument, http.get(job.links.result))
 assert answer(m.Correspondences, http.get(job.links.correspondences)).source
 assert answer(m.TransformDocument, http.get(job.links.transform)).matrix
-batch = m.BatchSubmissionDocument(template=meshes[1].id, subjects=[{"mesh_id": meshes[0].id}], parameters={"method": "rigid"})
+batch = m.BatchSubmissionDocument(template={"mesh_id": meshes[1].id}, subjects=[{"input": {"mesh_id": meshes[0].id}}], parameters={"method": "rigid"})
 batch = answer(m.BatchDocument, http.post("/v1/batches", json=batch.model_dump(mode="json", exclude_unset=True)), 202)
 while not batch.finished:
     time.sleep(0.1)

@@ -18,7 +18,7 @@ from client.api.webhooks import create_webhook, delete_webhook, list_webhooks, u
 from client.api.webhooks import test_webhook as send_test
 from client.models import (
     BatchSubmissionDocument, JobDocument, JobState, MeshForm, Method, NewWebhookDocument, PartialEnergyParameters, PartialParameters,
-    ProblemDocument, SubjectDocument, SubmissionDocument, SubmissionForm, SubmittedInputDocument, TemplateSide,
+    ProblemDocument, SubjectDocument, SubmissionDocument, SubmissionForm, SubmissionFormTags, SubmittedInputDocument, TemplateSide,
     ValidationDocument, WebhookChangeDocument,
 )
 from client.types import UNSET, File
@@ -40,15 +40,17 @@ def finished(job):
 
 # The form with nothing but the files: what the generated client sends by default is accepted.
 plain = submit_job.sync_detailed(client=client, body=SubmissionForm(file(source), file(target)))
-assert plain.status_code == 202 and plain.parsed.parameters.method == Method.BALANCED, plain
+assert plain.status_code == 202 and plain.parsed.method == "balanced" and plain.parsed.parameters is UNSET, plain
 cancel_job.sync_detailed(client=client, id=plain.parsed.id)
 
 # And with everything.
 parameters = PartialParameters(method=Method.RIGID, seed=3, energy=PartialEnergyParameters(alpha=2.0))
 whole = SubmissionForm(file(source), file(target), parameters=parameters, priority=1, external_ref="a", use_cache=True,
-                       max_run_s=600)
+                       max_run_s=600, tags=SubmissionFormTags.from_dict({"study": "py"}))
 job = finished(submit_job.sync(client=client, body=whole))
+job = get_job.sync(client=client, id=job.id, fields="*")
 assert job.state == JobState.SUCCEEDED and job.parameters.energy.alpha == 2.0 and job.external_ref == "a", job
+assert job.tags.additional_properties == {"study": "py"}, job
 
 tried = submit_job.sync(client=client, body=SubmissionForm(file(source), file(target)), validate_only=True)
 assert isinstance(tried, ValidationDocument), tried
@@ -80,8 +82,8 @@ missing = download_file.sync(client=client, id=job.id, name="correspondences.doc
 assert isinstance(missing, ProblemDocument) and missing.status == 404
 
 # A batch, with the template as source.
-subjects = [SubjectDocument(mesh_id=ids[1], external_ref="subject")]
-body = BatchSubmissionDocument(template=ids[0], template_as=TemplateSide.SOURCE, subjects=subjects,
+subjects = [SubjectDocument(input_=SubmittedInputDocument(mesh_id=ids[1]), external_ref="subject")]
+body = BatchSubmissionDocument(template=SubmittedInputDocument(mesh_id=ids[0]), template_as=TemplateSide.SOURCE, subjects=subjects,
                                parameters=PartialParameters(method=Method.RIGID, seed=9))
 batch = submit_batch.sync(client=client, body=body)
 while not batch.finished:

@@ -295,8 +295,8 @@ async fn faults_in_a_submission_name_their_field() {
     for (name, value, pointer) in [
         ("priority", "101", "/priority"),
         ("priority", "high", "/priority"),
-        ("labels", "[1]", "/labels"),
-        ("labels", "{\"a\": 1}", "/labels"),
+        ("tags", "[1]", "/tags"),
+        ("tags", "{\"a\": 1}", "/tags"),
         ("color", "red", "/color"),
     ] {
         let body = problem(service.send(both().text(name, value)).await, 422, "invalid-request").await;
@@ -310,8 +310,8 @@ async fn faults_in_a_submission_name_their_field() {
     assert_eq!(body["errors"][0]["pointer"], "/target");
     let twice = both().part("source", file());
     problem(service.send(twice).await, 422, "invalid-request").await;
-    let labels: Value = service.send(both().text("labels", "{\"study\": \"s1\"}")).await.json().await.unwrap();
-    assert_eq!(labels["labels"]["study"], "s1");
+    let tags: Value = service.send(both().text("tags", "{\"study\": \"s1\"}")).await.json().await.unwrap();
+    assert_eq!(tags["tags"]["study"], "s1");
     service.end().await;
 }
 
@@ -362,7 +362,7 @@ async fn each_limit_has_its_own_problem() {
     let body = problem(service.send(form(&large, "b", &json!({}))).await, 413, "too-large").await;
     assert_eq!((&body["input"], &body["limit_bytes"]), (&json!("source"), &json!(1000)));
     let huge = "x".repeat(5 << 20);
-    let response = service.send(Form::new().text("labels", huge.clone()).text("color", huge)).await;
+    let response = service.send(Form::new().text("tags", huge.clone()).text("color", huge)).await;
     problem(response, 413, "too-large").await;
     let many = (0..6).fold(Form::new(), |form, _| form.text("color", "x".repeat(1 << 20)));
     problem(service.send(many).await, 413, "body-too-large").await;

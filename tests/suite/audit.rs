@@ -194,7 +194,7 @@ async fn rows_say_who_did_what_and_nothing_of_a_patient() {
     let service = TestService::start(&["--auth", "keys"]).await;
     let [submitter, reader] = [key(&service, "clinic-a", "submitter").await, key(&service, "clinic-a", "reader").await];
     let url = |path: &str| format!("{}{path}", service.base);
-    let submission = form("a", "b", &json!({})).text("labels", json!({"patient": "Doe-Jane"}).to_string());
+    let submission = form("a", "b", &json!({})).text("tags", json!({"patient": "Doe-Jane"}).to_string());
     let submission = submission.text("external_ref", "Doe-Jane");
     let request = service.client.post(url("/v1/jobs")).bearer_auth(&submitter).header("x-request-id", "Doe-Jane");
     let job: Value = request.multipart(submission).send().await.unwrap().json().await.unwrap();
@@ -211,7 +211,7 @@ async fn rows_say_who_did_what_and_nothing_of_a_patient() {
     };
     assert!(result.json::<Value>().await.unwrap()["transform"].is_object());
     for path in
-        ["/v1/jobs/Doe-Jane/result", "/v1/meshes?file_name=Doe-Jane.ply", "/v1/jobs/cancel?label=patient:Doe-Jane"]
+        ["/v1/jobs/Doe-Jane/result", "/v1/meshes?file_name=Doe-Jane.ply", "/v1/jobs/cancel?tag=patient:Doe-Jane"]
     {
         let method = if path.ends_with("result") { reqwest::Method::GET } else { reqwest::Method::POST };
         service.client.request(method, url(path)).bearer_auth(&submitter).body("mesh").send().await.unwrap();

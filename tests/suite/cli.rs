@@ -130,7 +130,8 @@ fn match_says_first_whether_the_answer_can_be_relied_on() {
     };
     let text = shown(&target);
     assert!(text.starts_with("RELIABLE: no reason was found"), "{text}");
-    // A file matched with itself raises no warning.
+    assert!(text.contains("\nNext: Look at both surfaces in corresponding colors (--html PAGE.html)"), "{text}");
+    // A file against itself alarms nobody.
     let text = shown(&source);
     assert!(text.starts_with("RELIABLE") && text.contains("0.00 mm apart on average"), "{text}");
     assert!(!text.contains("limit") && !text.contains("-0.00"), "{text}");
@@ -144,7 +145,8 @@ fn match_says_first_whether_the_answer_can_be_relied_on() {
     fs::write(&mirrored, write_ply(&file.mesh.with_vertices(points).unwrap())).unwrap();
     let text = shown(&mirrored);
     assert!(text.starts_with("NOT RELIABLE: do not use"), "{text}");
-    assert!(text.contains("A mirror image of the source fits the target better. Is one of them left"), "{text}");
+    assert!(text.contains("- A mirror image of the source fits the target better.\n"), "{text}");
+    assert!(text.contains("\nNext: Is one of them left") && text.contains("--mirror source"), "{text}");
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod dicom;
 mod docs;
 mod encryption;
 mod energy_trace;
+mod examples;
 mod faults;
 mod field_inputs;
 mod field_readers;
@@ -22,6 +23,7 @@ mod field_readers;
 #[allow(dead_code, reason = "each test binary uses a part of it")]
 mod fixtures;
 mod hostile;
+mod inputs_and_tags;
 mod isolation;
 mod jobs;
 mod jobs_support;

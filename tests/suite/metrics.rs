@@ -81,7 +81,7 @@ async fn made_up_requests_create_no_new_series() {
     let closed = BTreeMap::from([
         ("method", words("GET HEAD POST PUT PATCH DELETE OPTIONS other")),
         ("route", routes),
-        ("state", words("queued running")),
+        ("state", words("queued running busy idle")),
         (
             "end",
             ["succeeded", "failed", "cancelled", "given back", "lease lost", "not stored"].map(str::to_owned).into(),
@@ -174,4 +174,39 @@ async fn every_metric_of_the_alert_rules_and_the_dashboard_exists() {
     }
     serde_json::from_str::<serde_json::Value>(&std::fs::read_to_string(deploy.join("grafana/homolog.json")).unwrap())
         .unwrap();
+}
+
+/// What a metric says of a state.
+async fn workers(service: &TestService, state: &str) -> u32 {
+    let text = service.get("/metrics").await.text().await.unwrap();
+    let line = text.lines().find_map(|line| line.strip_prefix(&format!("homolog_workers{{state=\"{state}\"}} ")));
+    line.unwrap_or_else(|| panic!("{text}")).parse().unwrap()
+}
+
+#[tokio::test]
+async fn idle_and_busy_workers_are_counted_over_processes() {
+    let service = TestService::start(&[]).await;
+    let until = async |busy: u32, idle: u32| {
+        let began = std::time::Instant::now();
+        while (workers(&service, "busy").await, workers(&service, "idle").await) != (busy, idle) {
+            let found = (workers(&service, "busy").await, workers(&service, "idle").await);
+            assert!(began.elapsed() < std::time::Duration::from_secs(20), "{found:?} instead of {:?}", (busy, idle));
+            tokio::time::sleep(std::time::Duration::from_millis(50)).await;
+        }
+    };
+    until(0, 1).await;
+    let other = service.worker(&[]).await;
+    until(0, 2).await;
+    let id = service.submit(json!({"points": 1000, "step_ms": 20})).await;
+    until(1, 1).await;
+    assert_eq!(service.post(&format!("/v1/jobs/{id}/cancel")).await.status(), 202);
+    until(0, 2).await;
+    // One that ends is not counted for the rest of its minute; a process that runs no jobs is no worker.
+    other.shutdown.stop.cancel();
+    other.running.await.unwrap();
+    until(0, 1).await;
+    let folder = service.end().await;
+    let front = TestService::start_in(folder, &["--workers", "0"]).await;
+    assert_eq!((workers(&front, "busy").await, workers(&front, "idle").await), (0, 0));
+    front.end().await;
 }

@@ -190,7 +190,7 @@ async fn every_part_comes_in_every_format_it_has() {
     let page = service.get(&format!("{job}/report")).await;
     assert_eq!(
         text(page.headers(), "content-security-policy").unwrap(),
-        "sandbox allow-scripts; frame-ancestors 'none'"
+        "sandbox allow-scripts allow-downloads; frame-ancestors 'none'"
     );
     let page = page.text().await.unwrap();
     assert!(

@@ -177,8 +177,7 @@ async fn what_is_no_http_is_answered_with_an_empty_body_as_documented() {
 async fn heads_that_are_too_long_are_problems_and_what_is_no_http_ends_its_connection_only() {
     let service = TestService::start(&["--workers", "0"]).await;
     let long = |n: usize| "x".repeat(n);
-    let refused =
-        problem(service.get(&format!("/v1/jobs?label={}", long(17 << 10))).await, 414, "target-too-long").await;
+    let refused = problem(service.get(&format!("/v1/jobs?tag={}", long(17 << 10))).await, 414, "target-too-long").await;
     assert_eq!(refused["limit_bytes"], 16 << 10);
     let with_headers = service.client.get(format!("{}/v1/jobs", service.base)).header("x-a", long(40 << 10));
     let refused =

@@ -82,7 +82,7 @@ async fn jobs_refer_to_uploads_or_contain_small_files() {
     assert_eq!(service.delete(&format!("/v1/meshes/{source}")).await.status(), 204);
 
     let inline = json!({"source": {"content_base64": "c291cmNl", "file_name": "Doe.nii.gz"},
-        "target": {"mesh_id": target}, "labels": {"a": "b"}, "priority": 4, "use_cache": false});
+        "target": {"mesh_id": target}, "tags": {"a": "b"}, "priority": 4, "use_cache": false});
     let job = body(post_json(&service, "/v1/jobs", &inline).await).await;
     assert_eq!((&job["source"]["report"]["hint"], &job["priority"]), (&json!(".nii.gz"), &json!(4)));
     assert_eq!(service.until_final(job["id"].as_str().unwrap()).await["state"], "succeeded");
@@ -226,12 +226,12 @@ async fn many_jobs_are_cancelled_at_once() {
     let running = service.submit(json!({"points": 1000, "step_ms": 20})).await;
     service.until_running(&running).await;
     for i in 0..4 {
-        let labels = json!({"study": format!("s{}", i % 2)}).to_string();
-        service.send(form("a", "b", &json!({"seed": i})).text("labels", labels)).await;
+        let tags = json!({"study": format!("s{}", i % 2)}).to_string();
+        service.send(form("a", "b", &json!({"seed": i})).text("tags", tags)).await;
     }
     problem(service.post("/v1/jobs/cancel").await, 400, "invalid-query").await;
     problem(service.post("/v1/jobs/cancel?state=failed").await, 400, "invalid-query").await;
-    let done = service.post("/v1/jobs/cancel?label=study:s1").await;
+    let done = service.post("/v1/jobs/cancel?tag=study:s1").await;
     assert_eq!(done.status(), 202);
     assert_eq!(body(done).await, json!({"cancelled": 2, "told": 0}));
     assert_eq!(body(service.post("/v1/jobs/cancel?all=true").await).await, json!({"cancelled": 2, "told": 1}));
@@ -247,9 +247,12 @@ async fn a_batch_is_followed_and_cancelled_as_a_whole() {
     let mut subjects = Vec::new();
     for i in 0..3 {
         let mesh_id = upload(&service, &format!("subject {i}")).await;
-        subjects.push(json!({"mesh_id": mesh_id, "external_ref": format!("s{i}"), "labels": {"n": i.to_string()}}));
+        subjects.push(
+            json!({"input": {"mesh_id": mesh_id}, "external_ref": format!("s{i}"), "tags": {"n": i.to_string()}}),
+        );
     }
-    let submission = json!({"template": template, "subjects": subjects, "labels": {"study": "x"}, "priority": 7});
+    let submission =
+        json!({"template": {"mesh_id": template}, "subjects": subjects, "tags": {"study": "x"}, "priority": 7});
     let response = post_json(&service, "/v1/batches", &submission).await;
     assert_eq!(response.status(), 202);
     let location = response.headers()["location"].to_str().unwrap().to_owned();
@@ -258,7 +261,7 @@ async fn a_batch_is_followed_and_cancelled_as_a_whole() {
     let jobs = service.json(&format!("{location}/jobs")).await;
     let jobs = jobs["jobs"].as_array().unwrap();
     assert_eq!(jobs.iter().map(|j| j["external_ref"].as_str().unwrap()).collect::<Vec<_>>(), ["s0", "s1", "s2"]);
-    assert_eq!(jobs[1]["labels"], json!({"study": "x", "n": "1"}));
+    assert_eq!(jobs[1]["tags"], json!({"study": "x", "n": "1"}));
     assert_eq!((&jobs[1]["target"]["hash"], &jobs[1]["priority"]), (&json!(template), &json!(7)));
     let by_filter = service.json(&format!("/v1/jobs?batch={}", batch["id"].as_str().unwrap())).await;
     assert_eq!(by_filter["jobs"].as_array().unwrap().len(), 3);
@@ -375,8 +378,8 @@ async fn deadlines_and_run_time_limits_of_a_submission_are_enforced() {
 #[tokio::test]
 async fn metrics_contain_no_identifiers() {
     let service = TestService::start(&[]).await;
-    let labels = json!({"patient": "Jane Doe"}).to_string();
-    let sent = form("a", "b", &json!({})).text("labels", labels).text("external_ref", "Jane Doe");
+    let tags = json!({"patient": "Jane Doe"}).to_string();
+    let sent = form("a", "b", &json!({})).text("tags", tags).text("external_ref", "Jane Doe");
     let id = body(service.send(sent).await).await["id"].as_str().unwrap().to_owned();
     service.until_final(&id).await;
     let text = service.get("/metrics").await.text().await.unwrap();

@@ -94,7 +94,7 @@ fn pair(folder: &Path) -> [Vec<u8>; 2] {
 async fn submit(base: &str, [source, target]: &[Vec<u8>; 2], traceparent: &str) -> String {
     let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("Doe^Jane.ply");
     let form = Form::new().part("source", file(source)).part("target", file(target));
-    let form = form.text("labels", json!({"ward": "ward-7"}).to_string()).text("external_ref", "MRN-4711");
+    let form = form.text("tags", json!({"ward": "ward-7"}).to_string()).text("external_ref", "MRN-4711");
     let request = reqwest::Client::new().post(format!("{base}/v1/jobs")).multipart(form);
     let answer = request.header("traceparent", traceparent).header("x-request-id", "Doe-Jane").send().await.unwrap();
     assert_eq!(answer.status(), 202);
@@ -144,7 +144,7 @@ async fn one_trace_leads_from_the_request_to_the_phases_of_the_job_and_names_no_
     let id = submit(&service, &pair, &format!("00-{TRACE}-b7ad6b7169203331-01")).await;
     let (worker, _) = Process::start("worker", &data_dir, &otlp);
     until_succeeded(&service, &id).await;
-    for path in ["/v1/jobs?external_ref=MRN-4711&label=ward:ward-7", "/v1/jobs/Doe%5EJane", "/Doe", "/healthz"] {
+    for path in ["/v1/jobs?external_ref=MRN-4711&tag=ward:ward-7", "/v1/jobs/Doe%5EJane", "/Doe", "/healthz"] {
         client.get(format!("{service}{path}")).send().await.unwrap();
     }
     // A client that wants no spans gets none.

@@ -85,7 +85,7 @@ pub(crate) fn new_job(priority: i32) -> NewJob {
         source: input('a'),
         target: input('b'),
         priority,
-        labels: homolog::jobs::metadata::Labels::default(),
+        tags: homolog::jobs::metadata::Tags::default(),
         external_ref: None,
         max_attempts: 3,
         deadline_at: None,

@@ -3,7 +3,7 @@
 use super::jobs_support::doubtful;
 use super::store::{Fixture, LONG, SHORT, chunk, is_lost, new_job, on_every_store, result, room};
 use homolog::jobs::job::Order;
-use homolog::jobs::metadata::{ExternalRef, Labels};
+use homolog::jobs::metadata::{ExternalRef, Tags};
 use homolog::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, Attempted, BatchId, BlobHolds, DeliveryState, Housekeeping,
     JobError, JobFilter, JobQueue, JobReader, JobState, JobWriter, KeyStore, Made, MeshStore, NewBatch, NewJob, Once,
@@ -137,9 +137,9 @@ async fn an_idempotency_key_is_used_once(f: Fixture) {
 async fn lists_are_filtered_in_every_way(f: Fixture) {
     let mut ids = Vec::new();
     for i in 0..6u32 {
-        let labels = [("study", format!("s{}", i % 2)), ("site", "zurich".to_owned())];
+        let tags = [("study", format!("s{}", i % 2)), ("site", "zurich".to_owned())];
         let job = NewJob {
-            labels: Labels::new(labels.into_iter().map(|(k, v)| (k.to_owned(), v)).collect()).unwrap(),
+            tags: Tags::new(tags.into_iter().map(|(k, v)| (k.to_owned(), v)).collect()).unwrap(),
             external_ref: ExternalRef::new(if i < 3 { "ref".to_owned() } else { String::new() }).unwrap(),
             method: format!("m{}", i % 3),
             ..new_job(0)
@@ -152,14 +152,14 @@ async fn lists_are_filtered_in_every_way(f: Fixture) {
         let found = f.store.list_jobs(&f.tenant, &filter, &page).await.unwrap().jobs;
         found.iter().map(|job| ids.iter().position(|id| *id == job.id).unwrap()).collect::<Vec<_>>()
     };
-    let labels = |pairs: &[(&str, &str)]| pairs.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
+    let tags = |pairs: &[(&str, &str)]| pairs.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
     let all = JobFilter::default();
     assert_eq!(find(all.clone()).await, [0, 1, 2, 3, 4, 5]);
-    assert_eq!(find(JobFilter { labels: labels(&[("study", "s0")]), ..all.clone() }).await, [0, 2, 4]);
-    let both = labels(&[("study", "s0"), ("site", "zurich")]);
+    assert_eq!(find(JobFilter { tags: tags(&[("study", "s0")]), ..all.clone() }).await, [0, 2, 4]);
+    let both = tags(&[("study", "s0"), ("site", "zurich")]);
     let states = vec![JobState::Queued, JobState::Running];
-    assert_eq!(find(JobFilter { labels: both, states, ..all.clone() }).await, [0, 2]);
-    assert!(find(JobFilter { labels: labels(&[("study", "zurich")]), ..all.clone() }).await.is_empty());
+    assert_eq!(find(JobFilter { tags: both, states, ..all.clone() }).await, [0, 2]);
+    assert!(find(JobFilter { tags: tags(&[("study", "zurich")]), ..all.clone() }).await.is_empty());
     assert_eq!(find(JobFilter { external_ref: Some("ref".to_owned()), ..all.clone() }).await, [0, 1, 2]);
     assert_eq!(find(JobFilter { method: Some("m1".to_owned()), ..all.clone() }).await, [1, 4]);
     let states = vec![JobState::Cancelled, JobState::Queued];
@@ -171,7 +171,7 @@ async fn lists_are_filtered_in_every_way(f: Fixture) {
 
 async fn a_batch_is_created_as_a_whole_or_not_at_all(f: Fixture) {
     let id = BatchId::random();
-    let batch = NewBatch { id, tenant: f.tenant.clone(), labels: Labels::default(), external_ref: None };
+    let batch = NewBatch { id, tenant: f.tenant.clone(), tags: Tags::default(), external_ref: None };
     let jobs: Vec<_> = (0..3).map(|_| NewJob { batch_id: Some(id), ..new_job(0) }).collect();
     assert!(matches!(f.store.insert_batch(&batch, &jobs, &room(2)).await, Err(JobError::QueueFull { .. })));
     let mut wrong = jobs.clone();

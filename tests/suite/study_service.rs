@@ -128,6 +128,101 @@ fn same(service: &BTreeMap<PathBuf, Vec<u8>>, command: &Path) {
     }
 }
 
+/// Files of a form, a priority that changes and waits for what happens: as for jobs.
+#[test]
+fn a_study_is_sent_as_a_form_raised_and_waited_for() {
+    use reqwest::blocking::multipart::{Form, Part};
+    let place = tempfile::tempdir().unwrap();
+    cohort(place.path(), 5);
+    let site = Site::open(Backend::Sqlite);
+    let service = Service::start(&site, &["--auth", "none", "--workers", "0"]);
+    let file = |k: usize| fs::read(place.path().join(format!("p{k}/source.ply"))).unwrap();
+    let one = |k: usize| json!({"id": format!("s{k}"), "input": {"upload": format!("Jane Doe {k}.ply")}});
+    let form = |subjects: Vec<Value>, files: &[usize]| {
+        let document = json!({"subjects": subjects, "tags": {"site": "x"}}).to_string();
+        let form = Form::new().part("document", Part::text(document).mime_str("application/json").unwrap());
+        files
+            .iter()
+            .fold(form, |form, &k| form.part("files", Part::bytes(file(k)).file_name(format!("Jane Doe {k}.ply"))))
+    };
+    let send = |path: &str, form: Form| service.client.post(service.url(path)).multipart(form).send().unwrap();
+
+    // Faults are those of the document, and of the files to which it refers.
+    for (subjects, files, pointer) in [
+        (vec![one(0), one(1), one(2)], vec![0, 1], "/subjects/2/input/upload"),
+        (vec![one(0), one(1), json!({"id": "s2"})], vec![0, 1], "/subjects/2/input"),
+        (vec![one(0), one(1), json!({"id": "s2", "input": {}})], vec![0, 1], "/subjects/2/input"),
+        (vec![one(0), one(1), one(2)], vec![0, 1, 2, 2], "/files"),
+    ] {
+        let answer = send("/v1/studies", form(subjects, &files));
+        assert_eq!(answer.status(), 422);
+        let said: Value = answer.json().unwrap();
+        assert_eq!(said["errors"][0]["pointer"], pointer, "{said}");
+    }
+    for (wrong, pointer) in [
+        (Form::new().part("files", Part::text("x").file_name("x.ply")), "/document"),
+        (Form::new().text("subjects", "[]"), "/subjects"),
+        (Form::new().text("files", "a file without a name"), "/files"),
+    ] {
+        let said: Value = send("/v1/studies", wrong).json().unwrap();
+        assert_eq!(said["errors"][0]["pointer"], pointer, "{said}");
+    }
+    let sent = send("/v1/studies", form((0..4).map(one).collect(), &[0, 1, 2, 3]));
+    let status = sent.status();
+    let study: Value = sent.json().unwrap();
+    assert_eq!(status, 202, "{study}");
+    assert_eq!((&study["tags"], &study["labels"]), (&json!({"site": "x"}), &json!({"site": "x"})));
+    let path = format!("/v1/studies/{}", study["id"].as_str().unwrap());
+    let document = json!({"subjects": [one(4)]}).to_string();
+    let more = Form::new().text("document", document).part("files", Part::bytes(file(4)).file_name("Jane Doe 4.ply"));
+    assert_eq!(send(&format!("{path}/subjects"), more).json::<Value>().unwrap()["n_subjects"], 5);
+    let database = fs::read(site.data_dir().join("homolog.sqlite-wal")).unwrap();
+    assert!(!database.windows(4).any(|w| w == b"Jane"), "names of files are not stored");
+
+    // A wait ends when the study changes; an unchanged one is answered with 304.
+    let get = |etag: &str, wait: u32| {
+        let request = service.client.get(service.url(&format!("{path}?fields=id,state,priority&wait={wait}")));
+        request.header("if-none-match", etag).send().unwrap()
+    };
+    let first = get("\"none\"", 20);
+    assert_eq!(first.status(), 200, "another version than is known is answered at once");
+    let etag = first.headers()["etag"].to_str().unwrap().to_owned();
+    let began = Instant::now();
+    let unchanged = get(&etag, 1);
+    assert!(unchanged.status() == 304 && began.elapsed() >= Duration::from_millis(900), "{:?}", began.elapsed());
+    let patch =
+        |priority: i32| service.client.patch(service.url(&path)).json(&json!({"priority": priority})).send().unwrap();
+    let began = Instant::now();
+    let changed = std::thread::scope(|scope| {
+        let waiting = scope.spawn(|| get(&etag, 20));
+        std::thread::sleep(Duration::from_millis(300));
+        let raised = patch(7);
+        assert_eq!((raised.status().as_u16(), &raised.json::<Value>().unwrap()["priority"]), (200, &json!(7)));
+        waiting.join().unwrap()
+    });
+    assert!(changed.status() == 200 && began.elapsed() < Duration::from_secs(15), "{:?}", began.elapsed());
+    assert_eq!(changed.json::<Value>().unwrap()["priority"], 7);
+    for wrong in [json!({"priority": 101}), json!({"priority": "high"}), json!({})] {
+        let said: Value = service.client.patch(service.url(&path)).json(&wrong).send().unwrap().json().unwrap();
+        assert_eq!(said["errors"][0]["pointer"], "/priority", "{said}");
+    }
+
+    // Its matches have the new priority, also those that were queued before.
+    drop(service);
+    let service = Service::start(&site, &["--auth", "none", "--workers", "1"]);
+    service.until(&path, |_| !service.matches(study["id"].as_str().unwrap()).is_empty());
+    let answer = service.client.patch(service.url(&path)).json(&json!({"priority": -3})).send().unwrap();
+    assert_eq!(answer.status(), 200);
+    let jobs = service.get(&format!("/v1/jobs?study={}", study["id"].as_str().unwrap()));
+    assert!(
+        jobs["jobs"].as_array().unwrap().iter().filter(|job| job["state"] == "queued").all(|job| job["priority"] == -3)
+    );
+    assert_eq!(service.post(&format!("{path}/cancel"), &json!({})).status(), 202);
+    let answer = service.client.patch(service.url(&path)).json(&json!({"priority": 1})).send().unwrap();
+    assert_eq!(answer.status(), 409);
+    assert_eq!(answer.json::<Value>().unwrap()["type"], "/problems/study-finished");
+}
+
 /// Left and right surfaces: the files of the command's table and the subjects of the service are the same.
 #[test]
 fn sides_are_mirrored_as_by_the_command() {
@@ -336,7 +431,7 @@ fn a_study_belongs_to_its_tenant_and_can_be_cancelled() {
             json!({"id": format!("s{k}"), "input": {"content_base64": content, "file_name": "Jane Doe.ply"}, "covariates": {"age": 60 + k}})
         })
         .collect();
-    let body = json!({"subjects": subjects, "effect": "age", "external_ref": "trial 7", "labels": {"site": "x"}});
+    let body = json!({"subjects": subjects, "effect": "age", "external_ref": "trial 7", "tags": {"site": "x"}});
 
     // Faults are found before anything is stored.
     problem(ask("POST", "/v1/studies", &reader, Some(body.clone())), 403, "scope-missing");

@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 
 import homolog
@@ -32,9 +33,13 @@ assert [path.name for path in match.save("out")] == ["warped.ply", "corresponden
 
 # Arrays, triangles and quads; and a mesh of another package, of which only the attributes matter.
 rigid = {"method": "rigid"}
-assert homolog.match((source.vertices, source.faces), target, parameters=rigid, labels={"a": "b"}).job.labels["a"] == "b"
+assert homolog.match((source.vertices, source.faces), target, parameters=rigid, tags={"a": "b"}).job.tags["a"] == "b"
 box = np.array([[x, y, z] for x in (0, 10) for y in (0, 20) for z in (0, 30)], float)
 quads = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+with warnings.catch_warnings(record=True) as said:
+    warnings.simplefilter("always")
+    former = homolog.match((source.vertices, source.faces), target, parameters=rigid, labels={"a": "c"})
+assert former.job.tags["a"] == "c" and "tags=" in str([warning.message for warning in said]), said
 cube = homolog.match((box, quads), (box + 5, quads), parameters=rigid)
 assert len(cube.mesh("source").faces) == 12
 for package in ("nibabel", "trimesh", "meshio", "pyarrow"):
@@ -52,6 +57,34 @@ for package in ("nibabel", "trimesh", "meshio", "pyarrow"):
         homolog.match(mesh, target, parameters=rigid)
     else:
         assert match.table().num_rows == len(table)
+
+# Pictures, with pyvista where it is installed.
+try:
+    import pyvista
+except ImportError:
+    pass
+else:
+    colored = source.to_pyvista()
+    assert (colored.n_points, colored.n_cells) == (len(source.vertices), len(source.faces))
+    plotter = match.plot(show=False, off_screen=True)
+    left, right = (mesh for renderer in plotter.renderers for mesh in [next(iter(renderer.actors.values())).mapper.dataset])
+    assert np.allclose(left.points, match.mesh("aligned").vertices) and np.allclose(right.points, target.vertices)
+    # Corresponding points have one color: that of the nearest target vertex, within what an edge spans.
+    pairs = match.correspondences
+    apart = left.active_scalars[pairs["source"]].astype(int) - right.active_scalars[pairs["target"]].astype(int)
+    assert np.abs(apart).mean() < 10, np.abs(apart).mean()
+    plotter.close()
+    plotter = match.plot("confidence", show=False, off_screen=True)
+    shown = next(iter(plotter.renderers[0].actors.values())).mapper.dataset
+    assert np.allclose(shown.active_scalars, warped.values["confidence"])
+    picture = plotter.screenshot(return_img=True)
+    assert picture.std() > 5, "something is drawn"
+    plotter.close()
+    try:
+        match.plot("none", show=False, off_screen=True)
+        raise SystemExit("it was drawn")
+    except ValueError as error:
+        assert "confidence" in str(error), error
 
 # Arguments for what is asked most, the energy and its trace.
 other = homolog.match("source.nii.gz", "target.nii.gz", method="thesis", label={"source": 1, "target": [1]})
@@ -111,7 +144,7 @@ slow = {"method": "metropolis", "inference": {"max_iterations": 100_000}}
 async def several() -> None:
     one, two = await asyncio.gather(*(homolog.match_async("source.nii.gz", "target.nii.gz", parameters=rigid) for _ in range(2)))
     assert (one.transform == two.transform).all()
-    task = asyncio.create_task(homolog.match_async("source.nii.gz", "target.nii.gz", parameters=slow, labels={"task": "slow"}))
+    task = asyncio.create_task(homolog.match_async("source.nii.gz", "target.nii.gz", parameters=slow, tags={"task": "slow"}))
     await asyncio.sleep(1.5)
     task.cancel()
     try:
@@ -124,7 +157,7 @@ async def several() -> None:
 asyncio.run(several())
 from homolog._client.api.jobs import list_jobs  # noqa: E402
 
-(cancelled,) = service.call(list_jobs, label="task:slow").jobs
+(cancelled,) = service.call(list_jobs, tag="task:slow").jobs
 assert cancelled.cancel_requested, cancelled
 
 # A template as source: row i is vertex i of the template. A subject that is refused is a row with its error.

@@ -11,6 +11,7 @@ mod colors;
 mod doubts;
 pub mod intake;
 mod mirror;
+mod next;
 #[cfg(test)]
 mod numbering_tests;
 pub mod page;
@@ -24,6 +25,7 @@ mod whole;
 
 pub use colors::{Colors, value_colors};
 pub use mirror::MirrorPlane;
+pub use next::next_step;
 pub use report::{ReportInputs, write_report};
 pub use surfaces::SurfaceCache;
 pub use warped::{WarpError, WarpedSurface, lta, segment_label, warp};

@@ -1,5 +1,5 @@
 //! Frame of every page that the program writes: one HTML file that loads nothing. Its policy allows only its own script
-//! and style, named by their hashes.
+//! and style, named by their hashes, and pictures that the script itself makes.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
@@ -29,7 +29,7 @@ impl Page<'_> {
         let Page { title, heading, style, script, body, data } = self;
         let data = embedded(data);
         let policy = format!(
-            "default-src 'none'; script-src '{}'; style-src '{}'; base-uri 'none'; form-action 'none'",
+            "default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
             hash(script),
             hash(style)
         );

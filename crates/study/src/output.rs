@@ -9,7 +9,7 @@ use crate::labels::carried;
 use crate::matching::{Interruption, Watcher};
 use crate::plan::{Round, Study};
 use crate::quality::most_urgent_first;
-use crate::report::page;
+use crate::report::{page, plots};
 use crate::settings::{Measure, Settings};
 use homolog_formats::csv_cell::text_cell;
 use homolog_formats::gifti::{write_gifti, write_gifti_shape};
@@ -118,6 +118,11 @@ pub fn write(
     folder.write("subjects.csv", csv_table(&columns).as_bytes())?;
     folder.write("subjects.parquet", &write_parquet_columns(&columns))?;
     folder.write("effects.csv", effect_table(found).as_bytes())?;
+    written.file("figures/model.svg", plots::standalone(&plots::model(&found.model.quality)).as_bytes())?;
+    if let Some(statistics) = found.statistics.as_ref().filter(|statistics| !statistics.whole.is_empty()) {
+        written.file("figures/effects.svg", plots::standalone(&plots::forest(&statistics.whole)).as_bytes())?;
+    }
+    written.finish("figures");
     if folder.read("decisions.csv")?.is_none() {
         folder.write("decisions.csv", decisions_table(&[]).as_bytes())?;
     }

@@ -4,6 +4,7 @@
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;
 use homolog_mesh::shapes::ellipsoid;
+use homolog_run::page::escaped;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, Place, find};
@@ -181,6 +182,8 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
         "model.csv",
         "quality.csv",
         "effects.csv",
+        "figures/model.svg",
+        "figures/effects.svg",
         "mean.surf.gii",
         "template/template.ply",
         "modes/mode-1-plus-2sd.vtk",
@@ -203,6 +206,20 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
         assert!(members.contains(cell), "{cell} in {members}");
     }
     assert!(page.contains("class=\"bar\""), "a color bar");
+    // One name for a contrast, on the page as in the tables and the names of files; what it compares is said once.
+    assert!(page.contains("<td>patient-control</td><td>patient minus control, group</td>"));
+    assert!(
+        page.contains("patient-control: ") && page.matches("patient minus control").count() == 2,
+        "and in the methods"
+    );
+    assert!(page.contains("Benjamini, Y.") && page.contains("Smith, S. M., Nichols") && !page.contains("Patterson"));
+    for name in ["figures/model.svg", "figures/effects.svg"] {
+        let svg = String::from_utf8(files[name].clone()).unwrap();
+        assert!(
+            svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=") && svg.trim_end().ends_with("</svg>")
+        );
+        assert_eq!(svg.matches("<text").count(), svg.matches("</text>").count());
+    }
     // As a word: the numbers of surfaces are in base64, where these letters can stand beside others.
     assert!(!page.split(|c: char| !c.is_ascii_alphanumeric() && c != '+').any(|word| word == "NaN"));
 
@@ -368,7 +385,8 @@ fn texts_of_users_are_no_markup_of_the_report() {
     let contrasts = &found.statistics.as_ref().unwrap().design.contrasts;
     assert_eq!(contrasts.len(), 2);
     for (map, contrast) in data["maps"].as_array().unwrap().iter().zip(contrasts) {
-        assert!(contrast.meaning.contains(MARKUP) && map["title"].as_str().unwrap().starts_with(&contrast.meaning));
+        assert!(map["title"].as_str().unwrap().starts_with(&contrast.name));
+        assert!(contrast.meaning.contains(MARKUP) && page.contains(&escaped(&contrast.meaning)));
     }
     assert!(page.contains("decided: seen &lt;/script&gt;&lt;meta/http-equiv"), "the reason of the decision");
 }

@@ -4,6 +4,7 @@ use super::jobs::job_list;
 use super::{batch_id, page};
 use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::fields::Fields;
+use crate::http::json_fault::INPUT_SHAPE;
 use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
@@ -11,16 +12,19 @@ use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::{HttpState, IN_MEMORY};
 use crate::http::shares::Origin;
-use crate::http::strict_json::{Parameters, SentLabels, objects};
-use crate::http::submission::{SentDetails, check_details, media_type, read_json};
+use crate::http::strict_json::{Parameters, SentTags, objects, tags_of};
+use crate::http::submission::{
+    SentDetails, SentFiles, SubmittedInputDocument, check_details, input_or_id, maybe_input_or_id, read_with_files,
+    referred,
+};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
 use crate::jobs::documents::PartialParameters;
 use crate::jobs::follow::Feed;
-use crate::jobs::mesh::hash_of_id;
-use crate::jobs::metadata::{ExternalRef, Labels};
+use crate::jobs::metadata::ExternalRef;
 use crate::jobs::{
-    Accepted, Batch, BatchId, BatchPair, BatchSubmission, JobFilter, JobService, Order, PageRequest, Tenant,
+    Accepted, Batch, BatchForm as Form, BatchId, BatchPair, BatchSubmission, JobFilter, JobService, Order, PageRequest,
+    SubmittedInput, Tenant,
 };
 use async_trait::async_trait;
 use axum::Json;
@@ -29,19 +33,21 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use utoipa::ToSchema;
 
 /// Most faults listed in an answer.
 const NAMED_FAULTS: usize = 16;
 
-/// A batch: either `template` and `subjects`, or `pairs`. Meshes are referred to by the ids of uploads.
+/// A batch: either `template` and `subjects`, or `pairs`.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct BatchSubmissionDocument {
     /// The target of every job, or its source with `template_as`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) template: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input_or_id")]
+    #[schema(value_type = Option<SubmittedInputDocument>)]
+    pub(crate) template: Option<SubmittedInputDocument>,
     /// What the template is in every job; `target` if absent. With `source` the rows of every answer are the vertices of the
     /// template, so that answers can be compared vertex by vertex.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -57,10 +63,14 @@ pub(crate) struct BatchSubmissionDocument {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(value_type = PartialParameters, required = false)]
     pub(crate) parameters: Option<Parameters>,
-    /// Labels of the batch and of every job.
-    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    /// Tags of the batch and of every job.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
     #[schema(value_type = std::collections::BTreeMap<String, String>, required = false)]
-    pub(crate) labels: SentLabels,
+    pub(crate) tags: SentTags,
+    /// The former name of `tags`, accepted until 0.3.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
+    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false, deprecated)]
+    pub(crate) labels: SentTags,
     /// The client's own id of the batch.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
@@ -98,15 +108,25 @@ pub(crate) enum TemplateSide {
 #[serde(deny_unknown_fields)]
 pub(crate) struct SubjectDocument {
     /// The surface that is moved onto the template, or onto which the template is moved (`template_as`).
-    pub(crate) mesh_id: String,
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input_or_id")]
+    #[schema(value_type = Option<SubmittedInputDocument>)]
+    pub(crate) input: Option<SubmittedInputDocument>,
+    /// The former form of `input`, the id of an upload; accepted until 0.3.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(deprecated)]
+    pub(crate) mesh_id: Option<String>,
     /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
     pub(crate) external_ref: Option<String>,
-    /// Labels of the job, merged with those of the batch; at most 64 together.
-    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    /// Tags of the job, merged with those of the batch; at most 64 together.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
     #[schema(value_type = std::collections::BTreeMap<String, String>, required = false)]
-    pub(crate) labels: SentLabels,
+    pub(crate) tags: SentTags,
+    /// The former name of `tags`, accepted until 0.3.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
+    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false, deprecated)]
+    pub(crate) labels: SentTags,
 }
 
 /// A pair of a batch.
@@ -114,34 +134,52 @@ pub(crate) struct SubjectDocument {
 #[serde(deny_unknown_fields)]
 pub(crate) struct PairDocument {
     /// The surface that is moved onto the target.
-    pub(crate) source: String,
+    #[serde(deserialize_with = "input_or_id")]
+    pub(crate) source: SubmittedInputDocument,
     /// The surface that stays in place.
-    pub(crate) target: String,
+    #[serde(deserialize_with = "input_or_id")]
+    pub(crate) target: SubmittedInputDocument,
     /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
     pub(crate) external_ref: Option<String>,
-    /// Labels of the job, merged with those of the batch; at most 64 together.
-    #[serde(default, skip_serializing_if = "SentLabels::is_empty")]
+    /// Tags of the job, merged with those of the batch; at most 64 together.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
     #[schema(value_type = std::collections::BTreeMap<String, String>, required = false)]
-    pub(crate) labels: SentLabels,
+    pub(crate) tags: SentTags,
+    /// The former name of `tags`, accepted until 0.3.
+    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
+    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false, deprecated)]
+    pub(crate) labels: SentTags,
+}
+
+/// A batch as a multipart form.
+#[derive(Debug, Clone, ToSchema)]
+#[allow(dead_code, reason = "describes a multipart form, which is read field by field")]
+pub(crate) struct BatchForm {
+    /// The batch; its inputs refer to files by their names, as `{"upload": "subject-1.nii.gz"}`.
+    document: BatchSubmissionDocument,
+    /// The files, under different names.
+    #[schema(value_type = Vec<String>, format = Binary, required = false)]
+    files: Vec<String>,
 }
 
 /// Submit a batch
 ///
-/// One template against many subjects, as the target or the source of every job, or a list of pairs. Either all jobs are created or none. Faults name the pair by its
-/// index, counted from 0, as in `/pairs/3/source`.
+/// One template against many subjects, as the target or the source of every job, or a list of pairs. Either all jobs are created or none. Inputs
+/// are uploads, by their ids, small files in base64, or files of the form. Faults name the pair or the subject by its index,
+/// counted from 0, as in `/pairs/3/source`.
 #[utoipa::path(
     post, path = "/v1/batches", tag = "batches", operation_id = "submit_batch",
     params(("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters")),
-    request_body = BatchSubmissionDocument,
+    request_body(content((BatchForm = "multipart/form-data"), (BatchSubmissionDocument = "application/json"))),
     responses(
         (status = 202, description = "Accepted", body = BatchDocument, headers(
             ("Location" = String, description = "The batch"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
         (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 413, description = "More jobs than a batch can have", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 422, description = "Invalid fields, parameters or meshes, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "The queue has no room for all jobs", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 503, description = "Too many uploads at once, or a dependency does not respond", body = ProblemDocument, content_type = "application/problem+json"),
@@ -173,19 +211,18 @@ async fn take(
     headers: &HeaderMap,
 ) -> Result<Accepted<Batch>, Problem> {
     let idempotency_key = idempotency_key(headers)?;
-    if media_type(&request) != "application/json" {
-        return Err(Problem::new(ProblemKind::UnsupportedMediaType));
-    }
     state.begin_reading(tap, &tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
-    let reading = read_json(request, tap, &state.limits, state.limits.max_json_bytes);
+    let reading = read_with_files(request, tap, &state.limits);
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
-    let document: BatchSubmissionDocument = reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
+    let (document, files): (BatchSubmissionDocument, SentFiles) =
+        reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
     let BatchSubmissionDocument {
         template,
         template_as,
         subjects,
         pairs,
         parameters,
+        tags,
         labels,
         external_ref,
         priority,
@@ -193,61 +230,124 @@ async fn take(
         max_run_s,
         use_cache,
     } = document;
-    let details = SentDetails { labels, external_ref, priority, deadline_at, max_run_s, use_cache };
+    let details = SentDetails { tags, labels, external_ref, priority, deadline_at, max_run_s, use_cache };
     let (parameters, mut details) = check_details(parameters, details, &state.limits, state.service.limits())?;
     details.traceparent = traceparent(headers);
+    let form = match (template.is_some(), template_as) {
+        (false, _) => Form::Pairs,
+        (true, None | Some(TemplateSide::Target)) => Form::TemplateAsTarget,
+        (true, Some(TemplateSide::Source)) => Form::TemplateAsSource,
+    };
+    let mut inputs = Inputs { state, files, form, taken: Vec::new(), places: BTreeMap::new(), faults: Vec::new() };
     let pairs = match (template, subjects.is_empty(), pairs.is_empty()) {
-        (Some(template), false, true) => subjects
-            .into_iter()
-            .map(|SubjectDocument { mesh_id, external_ref, labels }| {
-                let (source, target) = match template_as.unwrap_or_default() {
-                    TemplateSide::Target => (mesh_id, template.clone()),
-                    TemplateSide::Source => (template.clone(), mesh_id),
-                };
-                PairDocument { source, target, external_ref, labels }
-            })
-            .collect(),
-        (None, true, false) if template_as.is_none() => pairs,
+        (Some(template), false, true) => {
+            let template = inputs.take("template", template);
+            inputs.pairs(subjects, |inputs, number, subject| inputs.subject(number, subject, template))
+        }
+        (None, true, false) if template_as.is_none() => inputs.pairs(pairs, Inputs::pair),
         _ => {
             let detail = "either template and subjects, or pairs is required; template_as belongs to the former";
             return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new("", "missing", detail)]));
         }
     };
-    let mut faults = Vec::new();
-    let mut checked = Vec::with_capacity(pairs.len());
-    for (number, pair) in pairs.into_iter().enumerate() {
-        match check_pair(pair) {
-            Ok(pair) => checked.push(pair),
-            Err((field, detail)) => {
-                faults.push(FieldError::new(format!("/pairs/{number}/{field}"), "out_of_range", detail));
-            }
-        }
-        if faults.len() >= NAMED_FAULTS {
-            break;
-        }
+    if !inputs.faults.is_empty() {
+        inputs.faults.truncate(NAMED_FAULTS);
+        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&inputs.faults));
     }
-    if !faults.is_empty() {
-        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&faults));
-    }
-    let pairs = checked;
-    let submission = BatchSubmission { tenant, pairs, parameters, details, idempotency_key };
+    let submission =
+        BatchSubmission { tenant, inputs: inputs.taken, form, pairs, parameters, details, idempotency_key };
     Ok(state.service.submit_batch(submission).await?)
 }
 
-/// Checks that the fields of a pair are within their limits; otherwise returns the faulty field, and its limit.
-fn check_pair(pair: PairDocument) -> Result<BatchPair, (&'static str, String)> {
-    let hash = |side: &'static str, id: &str| match hash_of_id(id) {
-        Some(hash) => Ok(hash.to_owned()),
-        None => Err((side, "must be blake3: and 64 hexadecimal digits".to_owned())),
-    };
-    let PairDocument { source, target, external_ref, labels: SentLabels(labels) } = pair;
-    Ok(BatchPair {
-        source: hash("source", &source)?,
-        target: hash("target", &target)?,
-        external_ref: ExternalRef::new(external_ref.unwrap_or_default())
-            .map_err(|fault| ("external_ref", fault.to_string()))?,
-        labels: Labels::new(labels).map_err(|fault| ("labels", fault.to_string()))?,
-    })
+/// The inputs of a batch while its pairs are read. Uploads and files of the form are taken once.
+struct Inputs<'a> {
+    state: &'a HttpState,
+    files: SentFiles,
+    form: Form,
+    taken: Vec<SubmittedInput>,
+    /// The places of those that have a name: the id of an upload, or the name of a file.
+    places: BTreeMap<(Option<String>, Option<String>), usize>,
+    faults: Vec<FieldError>,
+}
+
+impl Inputs<'_> {
+    /// The pairs of a list, until too many have faults.
+    fn pairs<T>(&mut self, list: Vec<T>, of: impl Fn(&mut Self, usize, T) -> Option<BatchPair>) -> Vec<BatchPair> {
+        let mut pairs = Vec::with_capacity(list.len());
+        for (number, entry) in list.into_iter().enumerate() {
+            pairs.extend(of(self, number, entry));
+            if self.faults.len() >= NAMED_FAULTS {
+                break;
+            }
+        }
+        pairs
+    }
+
+    /// The place of an input.
+    fn take(&mut self, name: &str, input: SubmittedInputDocument) -> Option<usize> {
+        let key = (input.mesh_id.clone(), input.upload.clone());
+        let has_name = input.content_base64.is_none();
+        if let Some(place) = self.places.get(&key).filter(|_| has_name) {
+            return Some(*place);
+        }
+        match referred(name, input, &self.files, &self.state.limits) {
+            Ok(input) => self.taken.push(input),
+            Err(faults) => {
+                self.faults.extend(faults);
+                return None;
+            }
+        }
+        let place = self.taken.len() - 1;
+        if has_name {
+            self.places.insert(key, place);
+        }
+        Some(place)
+    }
+
+    fn pair(&mut self, number: usize, pair: PairDocument) -> Option<BatchPair> {
+        let PairDocument { source, target, external_ref, tags, labels } = pair;
+        let source = self.take(&format!("pairs/{number}/source"), source);
+        let target = self.take(&format!("pairs/{number}/target"), target);
+        self.described(number, [source, target], external_ref, tags, labels)
+    }
+
+    fn subject(&mut self, number: usize, subject: SubjectDocument, template: Option<usize>) -> Option<BatchPair> {
+        let SubjectDocument { input, mesh_id, external_ref, tags, labels } = subject;
+        let input = match (input, mesh_id) {
+            (Some(input), None) => input,
+            (None, mesh_id @ Some(_)) => SubmittedInputDocument { mesh_id, ..SubmittedInputDocument::default() },
+            _ => {
+                let detail = format!("is required: {INPUT_SHAPE}");
+                self.faults.push(FieldError::new(format!("/subjects/{number}/input"), "missing", detail));
+                return None;
+            }
+        };
+        let input = self.take(&format!("subjects/{number}/input"), input);
+        let inputs = if self.form == Form::TemplateAsSource { [template, input] } else { [input, template] };
+        self.described(number, inputs, external_ref, tags, labels)
+    }
+
+    /// A pair whose fields are within their limits.
+    fn described(
+        &mut self,
+        number: usize,
+        [source, target]: [Option<usize>; 2],
+        external_ref: Option<String>,
+        tags: SentTags,
+        labels: SentTags,
+    ) -> Option<BatchPair> {
+        let job = self.form.job(number);
+        let mut fault = |field: &str, allowed: String| {
+            self.faults.push(FieldError::new(format!("{job}/{field}"), "out_of_range", allowed));
+        };
+        let external_ref = ExternalRef::new(external_ref.unwrap_or_default())
+            .map_err(|refused| fault("external_ref", refused.to_string()));
+        let tags = tags_of(tags, labels).map_err(|(name, allowed)| fault(name, allowed));
+        let (Some(source), Some(target), Ok(external_ref), Ok(tags)) = (source, target, external_ref, tags) else {
+            return None;
+        };
+        Some(BatchPair { source, target, external_ref, tags })
+    }
 }
 
 /// List batches
@@ -327,7 +427,7 @@ impl Resource for WatchedBatch<'_> {
         let batch = self.service.batch(&self.tenant, self.id).await?;
         let document = BatchDocument::from(&batch);
         let body = serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))?;
-        Ok(Snapshot { version: version(document)?, body, is_final: batch.is_finished() })
+        Ok(Snapshot { version: version(document)?, body, is_final: batch.is_finished(), memory: None })
     }
 
     async fn follow(&self) -> Result<Arc<Feed<Batch>>, Problem> {

@@ -2,12 +2,14 @@
 
 use super::job_id;
 use crate::http::auth::{Reader, Rights};
+use crate::http::fields::Fields;
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::http::shares::{Origin, Taken};
 use crate::http::wire::JobDocument;
+use crate::jobs::Job;
 use crate::jobs::follow::{Feed, Seen};
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
@@ -28,7 +30,7 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 /// Follow a job
 ///
 /// Server-sent events: `state` (the job, whenever its state changes), `progress`, `trace` (a point) and `done` (the finished
-/// job), after which the stream ends. The `id` of an event is the `seq` of the last trace point up to it, with `-done` after
+/// job), after which the stream ends. `fields` selects members of these jobs; without it they are without their `parameters`. The `id` of an event is the `seq` of the last trace point up to it, with `-done` after
 /// it for `done`. A client that reconnects with `Last-Event-ID` gets the trace from there on, without gaps or repeats; after
 /// `done` it gets 204, at which an `EventSource` stops. The stream also ends when the service shuts down; reconnect then. It ends
 /// as well when the key that opened it is revoked, or the token has expired.
@@ -36,6 +38,7 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
     get, path = "/v1/jobs/{id}/events", tag = "jobs", operation_id = "follow_job",
     params(
         ("id" = String, Path, description = "The job"),
+        ("fields" = Option<String>, Query, description = "Members of the jobs in `state` and `done`, separated by commas, or `*`; all but `parameters` if absent"),
         ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received"),
     ),
     responses(
@@ -53,8 +56,9 @@ pub(crate) async fn events(
     Path(id): Path<String>,
     origin: Origin,
     headers: HeaderMap,
-    query: QueryString,
+    mut query: QueryString,
 ) -> Result<Response, Problem> {
+    let fields = Fields::of(&mut query);
     query.finish()?;
     let (after_seq, is_done) = last_event_id(&headers, parse_id)?.unwrap_or((0, false));
     let id = job_id(&id)?;
@@ -63,7 +67,7 @@ pub(crate) async fn events(
     }
     let place = state.begin_stream(&tenant, origin)?;
     let feed = state.service.follow(&tenant, id).await?;
-    let follower = Follower::new(feed, after_seq, state.stop.clone(), rights, place);
+    let follower = Follower::new(feed, after_seq, fields, state.stop.clone(), rights, place);
     Ok(as_stream(follower.into_stream()))
 }
 
@@ -99,6 +103,7 @@ struct Follower {
     seen: watch::Receiver<Arc<Seen>>,
     stop: CancellationToken,
     rights: Rights,
+    fields: Fields<JobDocument>,
     last_seq: u64,
     last: Option<Arc<Seen>>,
     waiting: VecDeque<Event>,
@@ -122,6 +127,7 @@ impl Follower {
     fn new(
         feed: Arc<Feed<Seen>>,
         last_seq: u64,
+        fields: Fields<JobDocument>,
         stop: CancellationToken,
         rights: Rights,
         place: [Option<Taken>; 2],
@@ -132,6 +138,7 @@ impl Follower {
             seen,
             stop,
             rights,
+            fields,
             last_seq,
             last: None,
             waiting: VecDeque::new(),
@@ -186,10 +193,9 @@ impl Follower {
         }
         let before = self.last.take();
         let before = before.as_ref().map(|last| &last.job);
-        let document = JobDocument::from(&seen.job);
         let state_changed = before.is_none_or(|job| (job.state, job.attempt) != (seen.job.state, seen.job.attempt));
         if state_changed {
-            self.push("state", "", &document);
+            self.push_job("state", "", &seen.job);
         }
         for point in seen.points_after(self.last_seq) {
             if let Ok(event) = Event::default().event("trace").id(point.seq.to_string()).json_data(point) {
@@ -198,16 +204,23 @@ impl Follower {
         }
         self.last_seq =
             seen.points.last().and_then(|chunk| chunk.last()).map_or(self.last_seq, |p| p.seq.max(self.last_seq));
-        if let Some(progress) = &document.progress
+        if let Some(progress) = &JobDocument::from(&seen.job).progress
             && before.is_none_or(|job| job.progress != seen.job.progress)
         {
             self.push("progress", "", progress);
         }
         if seen.complete {
-            self.push("done", DONE, &document);
+            self.push_job("done", DONE, &seen.job);
             self.ended = true;
         }
         self.last = Some(seen);
+    }
+
+    fn push_job(&mut self, name: &str, ending: &str, job: &Job) {
+        let document = self.fields.value(&JobDocument::of(job, self.fields.asks_for("parameters")));
+        if let Ok(document) = document {
+            self.push(name, ending, &document);
+        }
     }
 
     fn push(&mut self, name: &str, ending: &str, data: &impl serde::Serialize) {

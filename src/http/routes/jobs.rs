@@ -26,8 +26,8 @@ use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::Duration;
-use utoipa::openapi::Required;
 use utoipa::openapi::path::{Parameter, ParameterBuilder, ParameterIn};
+use utoipa::openapi::{Deprecated, Required};
 use utoipa::{IntoParams, PartialSchema, ToSchema};
 
 /// Submit a job
@@ -169,6 +169,9 @@ async fn after_wait(
     Ok(response)
 }
 
+/// The former name of the query parameter `tag`.
+const FORMER_TAG: &str = "label";
+
 /// The query parameters that [`filter`] reads, except `state`, which each operation describes itself.
 struct FilterParameters;
 
@@ -180,9 +183,10 @@ impl IntoParams for FilterParameters {
             ("batch", "Only jobs of this batch"),
             ("study", "Only matches of this study"),
             (
-                "label",
-                "Only jobs with this label, as `name:value`; may be repeated, at most 4 labels. A colon in the name is written `\\:`, a backslash `\\\\`",
+                "tag",
+                "Only jobs with this tag, as `name:value`; may be repeated, at most 4 tags. A colon in the name is written `\\:`, a backslash `\\\\`",
             ),
+            (FORMER_TAG, "The former name of `tag`, accepted until 0.3"),
             ("created_from", "Only jobs created at this RFC 3339 time or later"),
             ("created_before", "Only jobs created before this RFC 3339 time"),
         ];
@@ -192,6 +196,7 @@ impl IntoParams for FilterParameters {
                 .parameter_in(ParameterIn::Query)
                 .required(Required::False)
                 .description(Some(description))
+                .deprecated((name == FORMER_TAG).then_some(Deprecated::True))
                 .schema(Some(String::schema()))
                 .build()
         };
@@ -225,16 +230,18 @@ pub(in crate::http) fn filter(query: &mut QueryString) -> JobFilter {
             Err(_) => query.fault("study", "out_of_range", "must be the id of a study"),
         }
     }
-    for label in query.all("label") {
-        match label_of(&label) {
-            Some((name, value)) => {
-                filter.labels.insert(name, value);
+    for parameter in ["tag", FORMER_TAG] {
+        for tag in query.all(parameter) {
+            match tag_of(&tag) {
+                Some((name, value)) => {
+                    filter.tags.insert(name, value);
+                }
+                None => query.fault(parameter, "out_of_range", "must be name:value"),
             }
-            None => query.fault("label", "out_of_range", "must be name:value"),
         }
     }
-    if filter.labels.len() > JobFilter::MAX_LABELS {
-        query.fault("label", "out_of_range", format!("at most {} labels", JobFilter::MAX_LABELS));
+    if filter.tags.len() > JobFilter::MAX_TAGS {
+        query.fault("tag", "out_of_range", format!("at most {} tags", JobFilter::MAX_TAGS));
     }
     for (name, time) in [("created_from", &mut filter.created_from), ("created_before", &mut filter.created_before)] {
         if let Some(text) = query.text(name) {
@@ -247,9 +254,8 @@ pub(in crate::http) fn filter(query: &mut QueryString) -> JobFilter {
     filter
 }
 
-/// The name and the value of a label in a query: `name:value`, with `\:` for a colon in the name and `\\` for a
-/// backslash.
-fn label_of(text: &str) -> Option<(String, String)> {
+/// The name and the value of a tag in a query: `name:value`, with `\:` for a colon in the name and `\\` for a backslash.
+fn tag_of(text: &str) -> Option<(String, String)> {
     let mut name = String::new();
     let mut characters = text.chars();
     while let Some(c) = characters.next() {
@@ -264,13 +270,14 @@ fn label_of(text: &str) -> Option<(String, String)> {
 
 /// A page of a list of jobs.
 pub(super) fn job_list(page: &JobPage, fields: &Fields<JobDocument>) -> Result<Response, Problem> {
-    fields.answer(&JobListDocument::from(page), "jobs")
+    fields.answer(&JobListDocument::of(page, fields.asks_for("parameters")), "jobs")
 }
 
 /// List jobs
 ///
 /// `fields=id,state,progress`, which is not among the parameters below because the answer then lacks members that it otherwise
-/// has, gives the named members of each job only. The other lists can be asked for in the same way.
+/// has, gives the named members of each job only. The other lists can be asked for in the same way. Jobs have their `parameters` only
+/// if `fields` names them, or with `fields=*`, which stands for every member.
 #[utoipa::path(
     get, path = "/v1/jobs", tag = "jobs", operation_id = "list_jobs",
     params(
@@ -342,10 +349,13 @@ pub(crate) async fn cancel_many(
 /// The ETag is weak. It stands for everything but the details of progress, the estimated remaining time and the queue
 /// position: progress counts in whole percent and by phase. A change of progress alone is answered one second after the
 /// request at the earliest, any other change at once; so a client may send the next request as soon as it has an answer.
+///
+/// `fields` selects members: `?fields=id,state,progress` is enough to follow the job, and `?fields=*` has the `parameters` too.
 #[utoipa::path(
     get, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "get_job",
     params(
         ("id" = String, Path, description = "The job"),
+        ("fields" = Option<String>, Query, description = "Members to be answered, separated by commas, or `*`; all but `parameters` if absent"),
         ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
         ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the job has not changed since"),
     ),
@@ -367,9 +377,10 @@ pub(crate) async fn get(
     mut query: QueryString,
 ) -> Result<Response, Problem> {
     let wait = wait_of(&mut query, &state);
+    let fields = Fields::of(&mut query);
     query.finish()?;
     let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
-    let job = WatchedJob { service: &state.service, tenant, id: job_id(&id)? };
+    let job = WatchedJob { service: &state.service, tenant, id: job_id(&id)?, fields };
     answer(&state, &headers, &rights, wait, &job).await
 }
 
@@ -377,6 +388,7 @@ struct WatchedJob<'a> {
     service: &'a JobService,
     tenant: Tenant,
     id: JobId,
+    fields: Fields<JobDocument>,
 }
 
 #[async_trait]
@@ -385,9 +397,8 @@ impl Resource for WatchedJob<'_> {
 
     async fn look(&self) -> Result<Snapshot, Problem> {
         let job = self.service.get(&self.tenant, self.id).await?;
-        let document = JobDocument::from(&job);
-        let body = serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))?;
-        Ok(Snapshot { version: version(document)?, body, is_final: job.state.is_final() })
+        let body = self.fields.json(&JobDocument::of(&job, self.fields.asks_for("parameters")))?;
+        Ok(Snapshot { version: version(JobDocument::from(&job))?, body, is_final: job.state.is_final(), memory: None })
     }
 
     async fn follow(&self) -> Result<Arc<Feed<Seen>>, Problem> {
@@ -525,10 +536,10 @@ pub(crate) async fn delete(
 
 #[cfg(test)]
 mod tests {
-    use super::label_of;
+    use super::tag_of;
 
     #[test]
-    fn labels_in_queries_may_contain_colons() {
+    fn tags_in_queries_may_contain_colons() {
         for (text, expected) in [
             ("study:x", Some(("study", "x"))),
             ("study:x:y", Some(("study", "x:y"))),
@@ -539,7 +550,7 @@ mod tests {
             ("study", None),
             ("a\\:b", None),
         ] {
-            let found = label_of(text);
+            let found = tag_of(text);
             assert_eq!(found.as_ref().map(|(name, value)| (name.as_str(), value.as_str())), expected, "{text}");
         }
     }

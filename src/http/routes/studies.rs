@@ -1,9 +1,10 @@
 //! `/v1/studies`: studies of groups of subjects.
 
-use super::{page, study_id};
-use crate::http::auth::{Reader, Submitter};
+use super::{page, small_json, study_id};
+use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::content::{Counted, Wanted, streamed, wanted};
 use crate::http::fields::Fields;
+use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
@@ -12,18 +13,22 @@ use crate::http::representation::PAGE_POLICY;
 use crate::http::router::{HttpState, IN_MEMORY};
 use crate::http::shares::{Origin, Taken};
 use crate::http::study_wire::{
-    StudyDocument, StudyListDocument, StudyResultDocument, StudySubjectDocument, StudySubmissionDocument,
+    StudyChangeDocument, StudyDocument, StudyForm, StudyListDocument, StudyProgressDocument, StudyResultDocument,
+    StudySubjectDocument, StudySubmissionDocument,
 };
-use crate::http::submission::{SentDetails, check_details, media_type, read_json, study_input};
+use crate::http::submission::{SentDetails, SentFiles, check_details, read_with_files, referred};
 use crate::http::upload::Tap;
+use crate::jobs::follow::Feed;
 use crate::jobs::study_submission::{StudySubmission, SubmittedSubject};
 use crate::jobs::{Accepted, ArtifactKind, Study, StudyId, Tenant};
+use async_trait::async_trait;
 use axum::Json;
 use axum::body::Body;
 use axum::extract::{Path, Request, State};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::de::DeserializeOwned;
+use std::sync::Arc;
 
 /// Longest id of a subject, bytes; file names contain the id.
 const MAX_ID: usize = 200;
@@ -35,13 +40,13 @@ const NAMED_FAULTS: usize = 16;
 /// Submit a study
 ///
 /// A template, given or made from the group, is matched to every subject; from that come a shape model, statistics at every
-/// vertex, volumes and labels, a list for quality control and a report. Inputs are uploads, by their ids, or small files in
-/// base64. What is asked and all inputs are checked before the answer. The matches are jobs, `GET /v1/jobs?study=ID`. The result
+/// vertex, volumes and labels, a list for quality control and a report. Inputs are uploads, by their ids, small files in
+/// base64, or files of the form. What is asked and all inputs are checked before the answer. The matches are jobs, `GET /v1/jobs?study=ID`. The result
 /// is that of `homolog study` with the same inputs, to the bit.
 #[utoipa::path(
     post, path = "/v1/studies", tag = "studies", operation_id = "submit_study",
     params(("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters")),
-    request_body = StudySubmissionDocument,
+    request_body(content((StudyForm = "multipart/form-data"), (StudySubmissionDocument = "application/json"))),
     responses(
         (status = 202, description = "Accepted", body = StudyDocument, headers(
             ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
@@ -49,7 +54,7 @@ const NAMED_FAULTS: usize = 16;
         (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 413, description = "More subjects than a study can have, or a body beyond the limits", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 422, description = "Invalid fields, parameters or inputs, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 507, description = "Out of storage space", body = ProblemDocument, content_type = "application/problem+json"),
@@ -79,7 +84,7 @@ async fn take(
     headers: &HeaderMap,
 ) -> Result<Accepted<Study>, Problem> {
     let idempotency_key = idempotency_key(headers)?;
-    let document: StudySubmissionDocument = body(state, &tenant, request, tap).await?;
+    let (document, files): (StudySubmissionDocument, _) = body(state, &tenant, request, tap).await?;
     let questions = document.questions();
     let StudySubmissionDocument {
         subjects,
@@ -87,13 +92,14 @@ async fn take(
         template_rounds,
         permutations,
         parameters,
+        tags,
         labels,
         external_ref,
         priority,
         max_run_s,
         ..
     } = document;
-    let details = SentDetails { labels, external_ref, priority, deadline_at: None, max_run_s, use_cache: None };
+    let details = SentDetails { tags, labels, external_ref, priority, deadline_at: None, max_run_s, use_cache: None };
     let (parameters, mut details) = check_details(parameters, details, &state.limits, state.service.limits())?;
     details.traceparent = traceparent(headers);
     let mut faults = Vec::new();
@@ -110,30 +116,27 @@ async fn take(
             faults.push(FieldError::new(format!("/{name}"), "out_of_range", allowed));
         }
     }
-    let template = template.and_then(|template| match study_input("template", template, &state.limits) {
+    let template = template.and_then(|template| match referred("template", template, &files, &state.limits) {
         Ok(template) => Some(template),
         Err(more) => {
             faults.extend(more);
             None
         }
     });
-    let subjects = checked(subjects, state, faults)?;
+    let subjects = checked(subjects, &files, state, faults)?;
     let submission = StudySubmission { tenant, subjects, template, questions, parameters, details, idempotency_key };
     Ok(state.service.submit_study(submission).await?)
 }
 
-/// The document in a JSON body that may contain files.
+/// The document in a body that may contain files.
 pub(super) async fn body<T: DeserializeOwned>(
     state: &HttpState,
     tenant: &Tenant,
     request: Request,
     tap: &Tap,
-) -> Result<T, Problem> {
-    if media_type(&request) != "application/json" {
-        return Err(Problem::new(ProblemKind::UnsupportedMediaType));
-    }
+) -> Result<(T, SentFiles), Problem> {
     state.begin_reading(tap, tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
-    let reading = read_json(request, tap, &state.limits, state.limits.max_json_bytes);
+    let reading = read_with_files(request, tap, &state.limits);
     let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
     reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))?
 }
@@ -141,6 +144,7 @@ pub(super) async fn body<T: DeserializeOwned>(
 /// Subjects whose fields are within their limits.
 pub(super) fn checked(
     subjects: Vec<StudySubjectDocument>,
+    files: &SentFiles,
     state: &HttpState,
     mut faults: Vec<FieldError>,
 ) -> Result<Vec<SubmittedSubject>, Problem> {
@@ -151,7 +155,7 @@ pub(super) fn checked(
             let detail = format!("must have at most {MAX_ID} characters");
             faults.push(FieldError::new(format!("/subjects/{number}/id"), "out_of_range", detail));
         }
-        match study_input(&format!("subjects/{number}/input"), input, &state.limits) {
+        match referred(&format!("subjects/{number}/input"), input, files, &state.limits) {
             Ok(input) => {
                 let (role, covariates) = (role.unwrap_or_default(), covariates.0);
                 taken.push(SubmittedSubject { id, subject, role, side, covariates, input });
@@ -203,15 +207,20 @@ pub(crate) async fn list(
 /// Get a study
 ///
 /// Its state, how far its matches are, and the first of its subjects with what was decided about them. `fields` selects members:
-/// `?fields=id,state,progress` is enough to follow it.
+/// `?fields=id,state,progress` is enough to follow it. With `wait` the answer is delayed until the study has changed, as for a job; a
+/// change of progress alone is answered one second after the request at the earliest. A study that has ended is answered at once.
 #[utoipa::path(
     get, path = "/v1/studies/{id}", tag = "studies", operation_id = "get_study",
     params(
         ("id" = String, Path, description = "The study"),
         ("fields" = Option<String>, Query, description = "Members to be answered, separated by commas; all if absent"),
+        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
+        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the study has not changed since"),
     ),
     responses(
-        (status = 200, description = "The study", body = StudyDocument),
+        (status = 200, description = "The study", body = StudyDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
+        (status = 304, description = "The study has not changed since the version that `If-None-Match` names"),
+        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
     )
@@ -219,22 +228,94 @@ pub(crate) async fn list(
 pub(crate) async fn get(
     State(state): State<HttpState>,
     Reader(tenant): Reader,
+    rights: Rights,
     origin: Origin,
     Path(id): Path<String>,
+    headers: HeaderMap,
     mut query: QueryString,
 ) -> Result<Response, Problem> {
+    let wait = wait_of(&mut query, &state);
     let fields = Fields::<StudyDocument>::of(&mut query);
     query.finish()?;
-    let id = study_id(&id)?;
-    if !fields.wants("subjects") && !fields.wants("parameters") {
-        let study = state.service.study(&tenant, id).await?;
-        return Ok((JSON, fields.json(&StudyDocument::of(&study, None))?).into_response());
+    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
+    let study = WatchedStudy { state: &state, tenant, origin, id: study_id(&id)?, fields };
+    answer(&state, &headers, &rights, wait, &study).await
+}
+
+struct WatchedStudy<'a> {
+    state: &'a HttpState,
+    tenant: Tenant,
+    origin: Origin,
+    id: StudyId,
+    fields: Fields<StudyDocument>,
+}
+
+#[async_trait]
+impl Resource for WatchedStudy<'_> {
+    type Seen = Study;
+
+    async fn look(&self) -> Result<Snapshot, Problem> {
+        let WatchedStudy { state, tenant, origin, id, fields } = self;
+        let memory = match fields.wants("subjects") || fields.wants("parameters") {
+            true => Some(definition_memory(state, tenant, *origin, *id, OUTLINE_MEMORY).await?),
+            false => None,
+        };
+        let study = state.service.study(tenant, *id).await?;
+        let places = 0..if fields.wants("subjects") { SHOWN_SUBJECTS } else { 0 };
+        let outline = match memory {
+            Some(_) => state.service.study_outline(tenant, *id, places).await?,
+            None => None,
+        };
+        let body = fields.json(&StudyDocument::of(&study, outline.as_ref()))?;
+        Ok(Snapshot { version: version(&study)?, body, is_final: study.state.is_final(), memory })
     }
-    let memory = definition_memory(&state, &tenant, origin, id, OUTLINE_MEMORY).await?;
-    let study = state.service.study(&tenant, id).await?;
-    let places = 0..if fields.wants("subjects") { SHOWN_SUBJECTS } else { 0 };
-    let outline = state.service.study_outline(&tenant, id, places).await?;
-    Ok(counted(fields.json(&StudyDocument::of(&study, outline.as_ref()))?, memory))
+
+    async fn follow(&self) -> Result<Arc<Feed<Study>>, Problem> {
+        Ok(self.state.service.follow_study(&self.tenant, self.id).await?)
+    }
+
+    fn version(&self, seen: &Study) -> Result<Version, Problem> {
+        version(seen)
+    }
+}
+
+/// What of a study counts as a change. Progress: its matches, and every revision, such as one with a decision. State: all else.
+fn version(study: &Study) -> Result<Version, Problem> {
+    let mut document = StudyDocument::of(study, None);
+    let StudyProgressDocument { template_round, matches_done, matches_total } = std::mem::take(&mut document.progress);
+    Version::of(&document, &(template_round, matches_done, matches_total, study.revision))
+}
+
+/// Change the priority of a study
+///
+/// Takes effect on its jobs that are queued and on those to come; what runs already goes on.
+#[utoipa::path(
+    patch, path = "/v1/studies/{id}", tag = "studies", operation_id = "update_study",
+    params(("id" = String, Path, description = "The study")),
+    request_body = StudyChangeDocument,
+    responses(
+        (status = 200, description = "Changed", body = StudyDocument),
+        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 409, description = "The study is finished", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn update(
+    State(state): State<HttpState>,
+    Submitter(tenant): Submitter,
+    Path(id): Path<String>,
+    query: QueryString,
+    request: Request,
+) -> Result<Json<StudyDocument>, Problem> {
+    let StudyChangeDocument { priority } = small_json(&state, &tenant, request, query).await?;
+    if !(-100..=100).contains(&priority) {
+        let fault = FieldError::new("/priority", "out_of_range", "must be an integer from -100 to 100");
+        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
+    }
+    let study = state.service.set_study_priority(&tenant, study_id(&id)?, priority).await?;
+    Ok(Json(StudyDocument::of(&study, None)))
 }
 
 const JSON: [(header::HeaderName, &str); 1] = [(header::CONTENT_TYPE, "application/json")];

@@ -9,7 +9,8 @@ use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::http::shares::Origin;
 use crate::http::study_wire::{
-    AddedSubjectsDocument, DecisionDocument, StudyDocument, StudySubjectListDocument, StudySubjectStateDocument,
+    AddedSubjectsDocument, AddedSubjectsForm, DecisionDocument, StudyDocument, StudySubjectListDocument,
+    StudySubjectStateDocument,
 };
 use crate::http::upload::Tap;
 use crate::jobs::JobError;
@@ -78,7 +79,7 @@ fn place_of(token: &str) -> Option<usize> {
 #[utoipa::path(
     post, path = "/v1/studies/{id}/subjects", tag = "studies", operation_id = "add_study_subjects",
     params(("id" = String, Path, description = "The study")),
-    request_body = AddedSubjectsDocument,
+    request_body(content((AddedSubjectsForm = "multipart/form-data"), (AddedSubjectsDocument = "application/json"))),
     responses(
         (status = 202, description = "Accepted", body = StudyDocument, headers(
             ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
@@ -87,7 +88,7 @@ fn place_of(token: &str) -> Option<usize> {
         (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 413, description = "More subjects than a study can have, or a body beyond the limits", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 422, description = "Invalid fields or inputs", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
     )
@@ -104,12 +105,12 @@ pub(crate) async fn add(
     let taken = async {
         query.finish()?;
         let id = study_id(&id)?;
-        let AddedSubjectsDocument { subjects } = body(&state, &tenant, request, &tap).await?;
+        let (AddedSubjectsDocument { subjects }, files) = body(&state, &tenant, request, &tap).await?;
         if subjects.is_empty() {
             let fault = FieldError::new("/subjects", "missing", "at least one subject is required");
             return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
         }
-        let subjects = checked(subjects, &state, Vec::new())?;
+        let subjects = checked(subjects, &files, &state, Vec::new())?;
         let _memory = definition_memory(&state, &tenant, origin, id, CHANGE_MEMORY).await?;
         Ok(state.service.add_subjects(&tenant, id, subjects).await?)
     };

@@ -69,6 +69,8 @@ pub(crate) async fn metrics(State(state): State<HttpState>) -> Response {
             metrics::gauge!("homolog_jobs", "state" => "queued").set(load.queued);
             metrics::gauge!("homolog_jobs", "state" => "running").set(load.running);
             metrics::gauge!("homolog_queue_oldest_age_seconds").set(load.oldest_queued.as_secs_f64());
+            metrics::gauge!("homolog_workers", "state" => "busy").set(load.busy_workers);
+            metrics::gauge!("homolog_workers", "state" => "idle").set(load.idle_workers);
             metrics::gauge!("homolog_job_store_up").set(1.0);
         }
         // The metrics of the process itself are needed most while the store does not respond.

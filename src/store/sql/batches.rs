@@ -26,7 +26,7 @@ async fn batch(session: &mut Session, row: &Row) -> Result<Batch, JobError> {
         id,
         tenant: rows::tenant(&row.get::<String>("tenant")?)?,
         n_jobs: row.count("n_jobs")?,
-        labels: rows::json("a batch's labels", &row.get::<String>("labels")?)?,
+        tags: rows::json("a batch's tags", &row.get::<String>("labels")?)?,
         external_ref: row.get("external_ref")?,
         created_at: rows::time(row.get("created_at")?)?,
         counts: batch_counts(session, id).await?,

@@ -164,6 +164,18 @@ impl JobQueue for SqlStore {
         self.claim_one_of(&jobs, worker, lease, max_run).await
     }
 
+    async fn note_worker(&self, worker: &WorkerId) -> Result<(), JobError> {
+        self.database
+            .transaction(async |session| session.execute(sql!("note_worker"), bind![worker.name()]).await.map(|_| ()))
+            .await
+    }
+
+    async fn forget_worker(&self, worker: &WorkerId) -> Result<(), JobError> {
+        self.database
+            .transaction(async |session| session.execute(sql!("forget_worker"), bind![worker.name()]).await.map(|_| ()))
+            .await
+    }
+
     async fn front_of_queue(&self, limit: u32) -> Result<Vec<WaitingJob>, JobError> {
         let mut session = self.database.reader().await?;
         let front = front(&mut session, limit, &self.settings, sql!("queue_of_tenant")).await?;

@@ -17,6 +17,7 @@ pub(super) const SQLITE: &[(i64, &str, &str)] = &[
     (9, "studies", include_str!("migrations/sqlite/0009_studies.sql")),
     (10, "clock", include_str!("migrations/sqlite/0010_clock.sql")),
     (11, "waits", include_str!("migrations/sqlite/0011_waits.sql")),
+    (12, "workers", include_str!("migrations/sqlite/0012_workers.sql")),
 ];
 /// Migrations of PostgreSQL, in the form of [`SQLITE`].
 pub(super) const POSTGRES: &[(i64, &str, &str)] = &[
@@ -30,6 +31,7 @@ pub(super) const POSTGRES: &[(i64, &str, &str)] = &[
     (8, "studies", include_str!("migrations/postgres/0008_studies.sql")),
     (9, "clock", include_str!("migrations/postgres/0009_clock.sql")),
     (10, "waits", include_str!("migrations/postgres/0010_waits.sql")),
+    (11, "workers", include_str!("migrations/postgres/0011_workers.sql")),
 ];
 
 /// Applies the migrations that a database does not have.

@@ -147,6 +147,8 @@ impl JobReader for SqlStore {
             queued: row.count("queued")?,
             running: row.count("running")?,
             oldest_queued: std::time::Duration::from_millis(age.max(0).unsigned_abs()),
+            busy_workers: row.count("busy_workers")?,
+            idle_workers: row.count("idle_workers")?,
         })
     }
 }
@@ -159,14 +161,14 @@ async fn list_state(
     state: Option<JobState>,
     page: &PageRequest,
 ) -> Result<Vec<Job>, JobError> {
-    // Read along the first label's index, unless another index selects fewer jobs: most jobs have succeeded, and few are
+    // Read along the first tag's index, unless another index selects fewer jobs: most jobs have succeeded, and few are
     // in any other state.
-    let by_label = !filter.labels.is_empty()
+    let by_tag = !filter.tags.is_empty()
         && filter.external_ref.is_none()
         && filter.batch_id.is_none()
         && filter.study_id.is_none()
         && matches!(state, None | Some(JobState::Succeeded));
-    const LABELS: [[&str; 2]; JobFilter::MAX_LABELS] =
+    const TAGS: [[&str; 2]; JobFilter::MAX_TAGS] =
         [["label_a", "value_a"], ["label_b", "value_b"], ["label_c", "value_c"], ["label_d", "value_d"]];
     let after = page.after;
     let newest = page.order == Order::NewestFirst;
@@ -175,7 +177,7 @@ async fn list_state(
         // One more than the page holds tells whether there is a next page.
         ("size", (i64::from(page.size) + 1).into()),
     ];
-    let mut wanted = vec![if newest { "newest" } else { "oldest" }, if by_label { "by_label" } else { "by_job" }];
+    let mut wanted = vec![if newest { "newest" } else { "oldest" }, if by_tag { "by_label" } else { "by_job" }];
     let mut want = |name: &'static str, value: Option<Argument>| {
         if let Some(value) = value {
             wanted.push(name);
@@ -189,10 +191,10 @@ async fn list_state(
     want("study", filter.study_id.map(Argument::from));
     want("created_from", filter.created_from.map(|t| t.as_millisecond().into()));
     want("created_before", filter.created_before.map(|t| t.as_millisecond().into()));
-    for (i, ([label, value], (name, text))) in LABELS.into_iter().zip(&filter.labels).enumerate() {
-        values.extend([(label, name.into()), (value, text.into())]);
-        if i > 0 || !by_label {
-            wanted.push(label);
+    for (i, ([tag, value], (name, text))) in TAGS.into_iter().zip(&filter.tags).enumerate() {
+        values.extend([(tag, name.into()), (value, text.into())]);
+        if i > 0 || !by_tag {
+            wanted.push(tag);
         }
     }
     if let Some(after) = after {
@@ -200,7 +202,7 @@ async fn list_state(
         values.push(("after_time", after.created_at_ms.into()));
         values.push(("after_id", after.id.into()));
     }
-    let (created_at, id) = match by_label {
+    let (created_at, id) = match by_tag {
         true => ("first_label.created_at", "first_label.job_id"),
         false => ("job_records.created_at", "job_records.id"),
     };

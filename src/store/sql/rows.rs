@@ -35,7 +35,7 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
         source: json::<JobInput>("a job's source", &row.get::<String>("source")?)?,
         target: json::<JobInput>("a job's target", &row.get::<String>("target")?)?,
         priority: i32::try_from(row.get::<i64>("priority")?).map_err(|e| JobError::corrupt("a priority", e))?,
-        labels: json("a job's labels", &row.get::<String>("labels")?)?,
+        tags: json("a job's tags", &row.get::<String>("labels")?)?,
         external_ref: row.get("external_ref")?,
         attempt: row.count("attempt")?,
         max_attempts: row.count("max_attempts")?,

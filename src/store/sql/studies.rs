@@ -30,7 +30,7 @@ fn study(row: &Row) -> Result<Study, JobError> {
         method_version: row.get("method_version")?,
         n_subjects: row.count("n_subjects")?,
         priority: i32::try_from(row.get::<i64>("priority")?).map_err(|e| JobError::corrupt("a priority", e))?,
-        labels: rows::json("a study's labels", &row.get::<String>("labels")?)?,
+        tags: rows::json("a study's tags", &row.get::<String>("labels")?)?,
         external_ref: row.get("external_ref")?,
         max_attempts: row.count("max_attempts")?,
         max_queued: row.count("max_queued")?,
@@ -132,7 +132,7 @@ impl StudyStore for SqlStore {
         blobs: &[StudyBlob],
         admission: &Admission,
     ) -> Result<Study, JobError> {
-        let labels = rows::to_json("labels", &study.labels)?;
+        let tags = rows::to_json("tags", &study.tags)?;
         self.database
             .transaction(async |session| {
                 refuse_when_full(session, &study.tenant, 1, admission).await?;
@@ -143,7 +143,7 @@ impl StudyStore for SqlStore {
                     &study.method_version,
                     study.n_subjects,
                     study.priority,
-                    &labels,
+                    &tags,
                     study.external_ref.as_ref().map(ExternalRef::as_str),
                     study.max_attempts,
                     study.max_queued,
@@ -257,6 +257,24 @@ impl StudyStore for SqlStore {
                         if state == JobState::Queued {
                             end_job(session, job, JobState::Cancelled, None, None).await?;
                         }
+                    }
+                }
+                get_study(session, tenant, id).await
+            })
+            .await
+    }
+
+    async fn set_study_priority(&self, tenant: &Tenant, id: StudyId, priority: i32) -> Result<Study, JobError> {
+        self.database
+            .transaction(async |session| {
+                let state = lock_study(session, tenant, id).await?;
+                if state.is_final() {
+                    return Err(JobError::StudyFinal { state });
+                }
+                session.execute(sql!("set_study_priority"), bind![id, i64::from(priority)]).await?;
+                for (job, state) in jobs_of_study(session, id).await? {
+                    if !state.is_final() {
+                        session.execute(sql!("set_priority"), bind![job, i64::from(priority)]).await?;
                     }
                 }
                 get_study(session, tenant, id).await

@@ -46,7 +46,7 @@ pub(super) async fn insert_job(
         rows::to_json("a source", &job.source)?,
         rows::to_json("a target", &job.target)?,
         job.priority,
-        rows::to_json("labels", &job.labels)?,
+        rows::to_json("tags", &job.tags)?,
         job.external_ref.as_ref().map(ExternalRef::as_str),
         job.max_attempts,
         job.deadline_at,
@@ -59,7 +59,7 @@ pub(super) async fn insert_job(
         &job.study_task,
     ];
     session.execute(sql!("insert_job"), arguments).await?;
-    for (name, value) in job.labels.iter() {
+    for (name, value) in job.tags.iter() {
         session.execute(sql!("insert_label"), bind![job.id, name, value]).await?;
     }
     for (kind, input) in [(ArtifactKind::Source, &job.source), (ArtifactKind::Target, &job.target)] {
@@ -107,17 +107,12 @@ impl JobWriter for SqlStore {
 
     async fn insert_batch(&self, batch: &NewBatch, jobs: &[NewJob], admission: &Admission) -> Result<Batch, JobError> {
         let n_jobs = u32::try_from(jobs.len()).unwrap_or(u32::MAX);
-        let labels = rows::to_json("labels", &batch.labels)?;
+        let tags = rows::to_json("tags", &batch.tags)?;
         self.database
             .transaction(async |session| {
                 refuse_when_full(session, &batch.tenant, n_jobs, admission).await?;
-                let arguments = bind![
-                    batch.id,
-                    &batch.tenant,
-                    n_jobs,
-                    labels,
-                    batch.external_ref.as_ref().map(ExternalRef::as_str)
-                ];
+                let arguments =
+                    bind![batch.id, &batch.tenant, n_jobs, tags, batch.external_ref.as_ref().map(ExternalRef::as_str)];
                 session.execute(sql!("insert_batch"), arguments).await?;
                 for job in jobs {
                     insert_job(session, job, admission.keep_result).await?;

@@ -12,8 +12,8 @@ async fn faults_in_json_point_to_their_field() {
     let mesh = json!({"content_base64": "bWVzaA=="});
     for (member, value, pointer) in [
         ("priority", json!("high"), "/priority"),
-        ("labels", json!([]), "/labels"),
-        ("labels", json!({"study": 1}), "/labels/study"),
+        ("tags", json!([]), "/tags"),
+        ("tags", json!({"study": 1}), "/tags/study"),
         ("deadline_at", json!("tomorrow"), "/deadline_at"),
         ("max_run_s", json!(-1), "/max_run_s"),
         ("use_cache", json!("no"), "/use_cache"),
@@ -35,7 +35,7 @@ async fn a_member_that_is_given_twice_is_refused() {
     let inputs = r#""source":{"content_base64":"bWVzaA=="},"target":{"content_base64":"bWVzaA=="}"#;
     for more in [
         r#""priority":1,"priority":2"#,
-        r#""labels":{"a":"1","a":"2"}"#,
+        r#""tags":{"a":"1","a":"2"}"#,
         r#""parameters":{"seed":1,"seed":2}"#,
         r#""parameters":{},"parameters":{}"#,
     ] {
@@ -44,7 +44,7 @@ async fn a_member_that_is_given_twice_is_refused() {
         let answer = request.body(format!("{{{inputs},{more}}}")).send().await.unwrap();
         problem(answer, 422, "invalid-request").await;
     }
-    let twice = form("a", "b", &json!({})).text("labels", r#"{"a":"1","a":"2"}"#);
+    let twice = form("a", "b", &json!({})).text("tags", r#"{"a":"1","a":"2"}"#);
     problem(service.send(twice).await, 422, "invalid-request").await;
     assert_eq!(service.json("/v1/jobs").await["jobs"], json!([]));
     service.end().await;
@@ -65,13 +65,13 @@ async fn the_list_of_faults_of_a_form_is_bounded() {
 }
 
 #[tokio::test]
-async fn labels_with_a_colon_can_be_filtered() {
+async fn tags_with_a_colon_can_be_filtered() {
     let service = TestService::start(&["--workers", "0"]).await;
-    service.send(form("a", "b", &json!({})).text("labels", r#"{"dcm:study":"1.2:3"}"#)).await;
-    service.send(form("a", "b", &json!({"seed": 1})).text("labels", r#"{"dcm":"study:1.2:3"}"#)).await;
-    let found = service.json(r"/v1/jobs?label=dcm\:study:1.2:3").await;
+    service.send(form("a", "b", &json!({})).text("tags", r#"{"dcm:study":"1.2:3"}"#)).await;
+    service.send(form("a", "b", &json!({"seed": 1})).text("tags", r#"{"dcm":"study:1.2:3"}"#)).await;
+    let found = service.json(r"/v1/jobs?tag=dcm\:study:1.2:3").await;
     assert_eq!(found["jobs"].as_array().unwrap().len(), 1);
-    assert_eq!(found["jobs"][0]["labels"], json!({"dcm:study": "1.2:3"}));
+    assert_eq!(found["jobs"][0]["tags"], json!({"dcm:study": "1.2:3"}));
     service.end().await;
 }
 

@@ -45,12 +45,12 @@ async fn lists_and_labels_of_any_length_take_little_memory() {
     let site = Site::open(Backend::Sqlite);
     let node = site.serve(&["--workers", "0"]);
     let client = site.client(&node);
-    let labels: String = (0..2_000_000).map(|i| format!("\"{i}\":\"\",")).collect();
-    let labels = &labels[..labels.len() - 1];
+    let tags: String = (0..2_000_000).map(|i| format!("\"{i}\":\"\",")).collect();
+    let tags = &tags[..tags.len() - 1];
     for (path, body) in [
-        ("/v1/jobs", format!(r#"{{"source":{{}},"target":{{}},"labels":{{{labels}}}}}"#)),
-        ("/v1/batches", format!(r#"{{"pairs":[],"labels":{{{labels}}}}}"#)),
-        ("/v1/batches", filled(r#"{"template":"x","subjects":["#, r#"{"mesh_id":"","labels":{"a":""}},"#, "]}")),
+        ("/v1/jobs", format!(r#"{{"source":{{}},"target":{{}},"tags":{{{tags}}}}}"#)),
+        ("/v1/batches", format!(r#"{{"pairs":[],"tags":{{{tags}}}}}"#)),
+        ("/v1/batches", filled(r#"{"template":"x","subjects":["#, r#"{"mesh_id":"","tags":{"a":""}},"#, "]}")),
         ("/v1/batches", filled(r#"{"pairs":["#, r#"{"source":"","target":""},"#, "]}")),
     ] {
         let answer = post(&client, path, body).await;

@@ -1,4 +1,4 @@
-//! Labels and references: the same limits on every interface that accepts them.
+//! Tags and references: the same limits on every way in.
 
 use crate::faults::on_both;
 use crate::faults::site::{Backend, SOON, Site};
@@ -19,12 +19,13 @@ async fn metadata_has_the_same_limits_on_every_way_in(backend: Backend) {
         ("external_ref", json!("r".repeat(8_000))),
         ("external_ref", json!("r".repeat(1 << 20))),
         ("external_ref", json!("a\0b")),
-        ("labels", many),
-        ("labels", json!({"": "x"})),
-        ("labels", json!({"k": "v".repeat(8_000)})),
-        ("labels", json!({"k".repeat(257): "v"})),
-        ("labels", json!({"k": "a\0b"})),
-        ("labels", json!({"a\0b": "v"})),
+        ("labels", many.clone()),
+        ("tags", many),
+        ("tags", json!({"": "x"})),
+        ("tags", json!({"k": "v".repeat(8_000)})),
+        ("tags", json!({"k".repeat(257): "v"})),
+        ("tags", json!({"k": "a\0b"})),
+        ("tags", json!({"a\0b": "v"})),
     ];
     let input = json!({"mesh_id": mesh});
     for (field, value) in &wrong {
@@ -40,20 +41,20 @@ async fn metadata_has_the_same_limits_on_every_way_in(backend: Backend) {
             ("/v1/jobs", job, format!("/{field}")),
             ("/v1/batches", batch, format!("/{field}")),
             ("/v1/batches", pair, format!("/pairs/1/{field}")),
-            ("/v1/batches", subject, format!("/pairs/0/{field}")),
+            ("/v1/batches", subject, format!("/subjects/0/{field}")),
         ] {
             let answer = client.http.post(format!("{}{path}", node.base)).json(&body).send().await.unwrap();
             let refused = problem(answer, 422, "invalid-request").await;
             assert_eq!(refused["errors"][0]["pointer"], pointer, "{refused}");
         }
     }
-    // Together, the labels of a batch and of its pair are limited too.
+    // Together, the tags of a batch and of its pair are limited too.
     let half = |prefix: &str| -> Value {
         (0..40).map(|i| (format!("{prefix}{i}"), json!(""))).collect::<serde_json::Map<_, _>>().into()
     };
-    let body = json!({"labels": half("a"), "pairs": [{"source": mesh, "target": mesh, "labels": half("b")}]});
+    let body = json!({"tags": half("a"), "pairs": [{"source": mesh, "target": mesh, "tags": half("b")}]});
     let answer = client.http.post(format!("{}/v1/batches", node.base)).json(&body).send().await.unwrap();
-    assert_eq!(problem(answer, 422, "invalid-request").await["errors"][0]["pointer"], "/pairs/0/labels");
+    assert_eq!(problem(answer, 422, "invalid-request").await["errors"][0]["pointer"], "/pairs/0/tags");
     assert!(client.list().await.is_empty(), "nothing was stored");
 }
 

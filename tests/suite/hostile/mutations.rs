@@ -115,7 +115,7 @@ async fn damaged_requests_are_answered_and_never_with_an_internal_error() {
 
         let json = json!({
             "source": {"mesh_id": format!("blake3:{}", "0a".repeat(32))}, "target": {"content_base64": "YQ=="},
-            "parameters": {"points": 1, "seed": 7}, "labels": {"study": "x"}, "priority": -3, "deadline_at": "2030-01-01T00:00:00Z",
+            "parameters": {"points": 1, "seed": 7}, "tags": {"study": "x"}, "priority": -3, "deadline_at": "2030-01-01T00:00:00Z",
         });
         let body = chance.damaged(json.to_string().as_bytes());
         let path = chance.one_of(&["/v1/jobs", "/v1/batches", "/v1/webhooks", "/v1/keys"]);
@@ -128,7 +128,7 @@ async fn damaged_requests_are_answered_and_never_with_an_internal_error() {
             part("source", "; filename=\"a.nii.gz\"", "source"),
             part("target", "; filename=\"b.ply\"", "target"),
             part("parameters", "", "{\"points\": 1}"),
-            part("labels", "", "{\"study\": \"x\"}"),
+            part("tags", "", "{\"study\": \"x\"}"),
             "------x--\r\n".to_owned(),
         ]
         .concat();

@@ -50,7 +50,7 @@ async fn only_the_user_of_the_service_can_read_its_files() {
 async fn nothing_of_a_deleted_job_is_left_in_the_files() {
     let service = TestService::start(&[]).await;
     let (label, reference) = ("Doe-Jane-label", "Doe-Jane-reference");
-    let submission = form("a", "b", &json!({})).text("labels", json!({"patient": label}).to_string());
+    let submission = form("a", "b", &json!({})).text("tags", json!({"patient": label}).to_string());
     let job: Value = service.send(submission.text("external_ref", reference)).await.json().await.unwrap();
     let id = job["id"].as_str().unwrap();
     service.until_final(id).await;
@@ -77,7 +77,7 @@ async fn nothing_of_a_purged_job_is_left_in_the_files() {
     let service = TestService::start(&[]).await;
     let texts = ["Doe-Jane-label", "Doe-Jane-reference", "Doe-Jane-source", "Doe-Jane-target", "Doe-Jane-upload"];
     let [label, reference, source, target, upload] = texts;
-    let submission = form(source, target, &json!({})).text("labels", json!({"patient": label}).to_string());
+    let submission = form(source, target, &json!({})).text("tags", json!({"patient": label}).to_string());
     let job: Value = service.send(submission.text("external_ref", reference)).await.json().await.unwrap();
     service.until_final(job["id"].as_str().unwrap()).await;
     let sent = service.client.post(format!("{}/v1/meshes", service.base)).body(upload).send().await.unwrap();

@@ -22,8 +22,8 @@ on_both!(
     webhooks_are_signed_repeated_and_disabled_and_changes_are_in_order,
 );
 
-/// The members that a job can have.
-const MEMBERS: &str = "id state method method_version parameters source target seed priority labels external_ref attempt max_attempts \
+/// The members that a job has at some time of its life.
+const MEMBERS: &str = "id state method method_version source target seed priority tags labels external_ref attempt max_attempts \
                        progress eta_ms queue_position energy_latest created_at started_at finished_at expires_at deadline_at \
                        cancel_requested cached error links";
 
@@ -38,7 +38,7 @@ fn check_names(value: &Value, place: &str) {
                     let time = value.as_str().unwrap();
                     assert!(time.ends_with('Z') && time.parse::<jiff::Timestamp>().is_ok(), "{place}/{name}: {time}");
                 }
-                if name != "labels" {
+                if name != "labels" && name != "tags" {
                     check_names(value, &format!("{place}/{name}"));
                 }
             }
@@ -179,8 +179,8 @@ async fn jobs_are_filtered_and_ordered(backend: Backend) {
     let served = Served::start(backend, &["--workers", "0"]);
     let mut ids = Vec::new();
     for n in 0..4 {
-        let labels = json!({"study": format!("s{}", n % 2)}).to_string();
-        let form = form("a", "b", &json!({"seed": n})).text("labels", labels).text("external_ref", format!("case-{n}"));
+        let tags = json!({"study": format!("s{}", n % 2)}).to_string();
+        let form = form("a", "b", &json!({"seed": n})).text("tags", tags).text("external_ref", format!("case-{n}"));
         let answer = served.client.http.post(served.url("/v1/jobs")).multipart(form).send().await.unwrap();
         ids.push(text(&served.expect(answer, 202).await, "id").to_owned());
         tokio::time::sleep(Duration::from_millis(5)).await;
@@ -200,7 +200,9 @@ async fn jobs_are_filtered_and_ordered(backend: Backend) {
     assert_eq!(newest, ids);
     assert_eq!(found("state=cancelled").await, ids[..1]);
     assert_eq!(found("state=queued&state=running&order=asc").await.len(), 4);
-    assert_eq!(found("label=study:s1&order=asc").await, [ids[1].clone(), ids[3].clone()]);
+    for parameter in ["tag", "label"] {
+        assert_eq!(found(&format!("{parameter}=study:s1&order=asc")).await, [ids[1].clone(), ids[3].clone()]);
+    }
     assert_eq!(found("external_ref=case-2").await, ids[2..3]);
     assert_eq!((found("method=scripted").await.len(), found("method=other").await.len()), (5, 0));
     assert_eq!(found(&format!("batch={batch}")).await.len(), 1);

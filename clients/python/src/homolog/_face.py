@@ -8,6 +8,7 @@ import re
 import threading
 import time
 import uuid
+import warnings
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
@@ -17,7 +18,7 @@ from ._client.api.jobs import cancel_job, get_job, submit_job
 from ._client.api.meshes import upload_mesh
 from ._client.api.studies import get_study, submit_study
 from ._client.models import (
-    BatchSubmissionDocument, JobDocument, MeshForm, SubjectDocument, SubmissionForm, TemplateSide,
+    BatchSubmissionDocument, JobDocument, MeshForm, SubjectDocument, SubmissionForm, SubmittedInputDocument, TemplateSide,
 )
 from ._client.types import UNSET
 from ._inputs import Surface, read
@@ -43,31 +44,31 @@ def default_service() -> Service:
 
 
 def match(source: Surface, target: Surface, *, method: str | None = None, label: Label | None = None,
-          mirror: Side | None = None, parameters: Mapping[str, Any] | None = None, labels: Mapping[str, str] | None = None,
-          timeout: float | None = None, service: Service | None = None) -> Match:
+          mirror: Side | None = None, parameters: Mapping[str, Any] | None = None, tags: Mapping[str, str] | None = None,
+          timeout: float | None = None, service: Service | None = None, labels: Mapping[str, str] | None = None) -> Match:
     """Matches two surfaces: for each vertex of the source the corresponding point of the target.
 
     ``source`` and ``target``: paths, ``(vertices, faces)``, nibabel images, or meshes of trimesh, pyvista or meshio.
     ``method``: a preset, such as ``"rigid"``. ``label``: the structure in label volumes, by number or name, as
     ``"hippocampus-left"``, or several; or one for each, ``{"source": 17, "target": 53}``. ``mirror``: the input that is
-    mirrored, as to compare left with right. ``parameters``: others that differ from the default. ``labels``: words by which
-    the job is found again. ``timeout``: the longest wait for the answer, s; then the job is cancelled.
+    mirrored, as to compare left with right. ``parameters``: others that differ from the default. ``tags``: words by which
+    the job is found again (``labels`` up to 0.1). ``timeout``: the longest wait for the answer, s; then the job is cancelled.
 
     Raises HomologError if an input is refused, the job fails, or the time is over.
     """
     service = service or default_service()
-    job = _submit(service, source, target, _asked(parameters, method, label, mirror), labels)
+    job = _submit(service, source, target, _asked(parameters, method, label, mirror), _tags(tags, labels))
     return _finish(service, job, timeout)
 
 
 async def match_async(source: Surface, target: Surface, *, method: str | None = None, label: Label | None = None,
                       mirror: Side | None = None, parameters: Mapping[str, Any] | None = None,
-                      labels: Mapping[str, str] | None = None, timeout: float | None = None,
-                      service: Service | None = None) -> Match:
+                      tags: Mapping[str, str] | None = None, timeout: float | None = None,
+                      service: Service | None = None, labels: Mapping[str, str] | None = None) -> Match:
     """The same as :func:`match` for ``async`` programs; cancelling the task cancels the job."""
     own = await asyncio.to_thread(default_service) if service is None else service
     asked = _asked(parameters, method, label, mirror)
-    submitted = asyncio.ensure_future(asyncio.to_thread(_submit, own, source, target, asked, labels))
+    submitted = asyncio.ensure_future(asyncio.to_thread(_submit, own, source, target, asked, _tags(tags, labels)))
     try:
         return await asyncio.to_thread(_finish, own, await asyncio.shield(submitted), timeout)
     except asyncio.CancelledError:
@@ -77,8 +78,8 @@ async def match_async(source: Surface, target: Surface, *, method: str | None = 
 
 def match_many(template: Surface, subjects: Mapping[str, Surface] | Iterable[Surface], *, template_as: Side = "source",
                method: str | None = None, label: Label | None = None, mirror: Side | None = None,
-               parameters: Mapping[str, Any] | None = None, labels: Mapping[str, str] | None = None, progress: bool = True,
-               service: Service | None = None) -> Matches:
+               parameters: Mapping[str, Any] | None = None, tags: Mapping[str, str] | None = None, progress: bool = True,
+               service: Service | None = None, labels: Mapping[str, str] | None = None) -> Matches:
     """Matches a template with many subjects: files by name, or a mapping from names to surfaces.
 
     With the template as source, the default, row i of every answer is vertex i of the template. Shows a progress bar if the
@@ -89,16 +90,17 @@ def match_many(template: Surface, subjects: Mapping[str, Surface] | Iterable[Sur
     bar = _bar(2 * len(named), progress)
     ids, refused = _uploads(service, named, bar)
     own = _upload(service, template, None)
-    asked = _members(_asked(parameters, method, label, mirror))
+    asked, words = _members(_asked(parameters, method, label, mirror)), _tags(tags, labels)
     batch: Any = None
     while ids and batch is None:
         body = BatchSubmissionDocument(
-            template=own, template_as=TemplateSide(template_as), parameters=asked, labels=_members(labels),
-            subjects=[SubjectDocument(mesh_id=mesh, external_ref=name[:200]) for name, mesh in ids.items()])
+            template=SubmittedInputDocument(mesh_id=own), template_as=TemplateSide(template_as), parameters=asked, tags=_members(words),
+            subjects=[SubjectDocument(input_=SubmittedInputDocument(mesh_id=mesh), external_ref=name[:200])
+                      for name, mesh in ids.items()])
         try:
             batch = service.call(submit_batch, body=body, idempotency_key=str(uuid.uuid4()))
         except HomologError as error:
-            _leave_out(ids, refused, error, rf"/pairs/(\d+)/{'target' if template_as == 'source' else 'source'}")
+            _leave_out(ids, refused, error, r"/subjects/(\d+)/input")
     jobs: list[JobDocument] = []
     if batch is not None:
         done = 0
@@ -128,8 +130,8 @@ async def match_many_async(template: Surface, subjects: Mapping[str, Surface] | 
 
 def study(subjects: Mapping[str, Surface] | Iterable[Surface], covariates: Any = None, *, effect: str | None = None,
           adjust: Iterable[str] = (), template: Surface | None = None, method: str | None = None, label: Label | None = None,
-          parameters: Mapping[str, Any] | None = None, labels: Mapping[str, str] | None = None, progress: bool = True,
-          service: Service | None = None, **options: Any) -> Study:
+          parameters: Mapping[str, Any] | None = None, tags: Mapping[str, str] | None = None, progress: bool = True,
+          service: Service | None = None, labels: Mapping[str, str] | None = None, **options: Any) -> Study:
     """A study of a group: a template, a shape model, statistics at every vertex, quality control and a report.
 
     ``subjects``: files by name, or a mapping from ids to surfaces. ``covariates``: a pandas ``DataFrame`` indexed by id, or a
@@ -151,7 +153,7 @@ def study(subjects: Mapping[str, Surface] | Iterable[Surface], covariates: Any =
     ids, refused = _uploads(service, named, bar)
     bar.close()
     asked: dict[str, Any] = {**options, "parameters": _asked(parameters, method, label, None)}
-    asked |= {name: value for name, value in [("effect", effect), ("adjust", list(adjust)), ("labels", labels)] if value}
+    asked |= {name: value for name, value in [("effect", effect), ("adjust", list(adjust)), ("tags", _tags(tags, labels))] if value}
     if template is not None:
         asked["template"] = {"mesh_id": _upload(service, template, None)}
     document: Any = None
@@ -162,8 +164,7 @@ def study(subjects: Mapping[str, Surface] | Iterable[Surface], covariates: Any =
         except HomologError as error:
             _leave_out(ids, refused, error, r"/subjects/(\d+)/input")
     while document.state.value not in ("finished", "failed", "cancelled"):
-        time.sleep(1)
-        document = service.call(get_study, id=document.id)
+        document = service.call(get_study, id=document.id, wait=WAIT_S)
     return Study(service, document, refused)
 
 
@@ -207,10 +208,20 @@ def _asked(parameters: Mapping[str, Any] | None, method: str | None, label: Labe
     return {**asked, "input": inputs} if inputs else asked
 
 
+def _tags(tags: Mapping[str, str] | None, labels: Mapping[str, str] | None) -> Mapping[str, str] | None:
+    """The tags, also under their name up to 0.1."""
+    if labels is None:
+        return tags
+    if tags is not None:
+        raise TypeError("labels is the former name of tags; give tags only")
+    warnings.warn("labels= is now tags=; the former name goes with 0.3", DeprecationWarning, stacklevel=3)
+    return labels
+
+
 def _submit(service: Service, source: Surface, target: Surface, parameters: Mapping[str, Any] | None,
-            labels: Mapping[str, str] | None) -> JobDocument:
+            tags: Mapping[str, str] | None) -> JobDocument:
     files = {"source": read(source), "target": read(target)}
-    body = form(SubmissionForm, files, parameters=_members(parameters), labels=_members(labels))
+    body = form(SubmissionForm, files, parameters=_members(parameters), tags=_members(tags))
     job = service.call(submit_job, body=body, idempotency_key=str(uuid.uuid4()))
     assert isinstance(job, JobDocument)
     return job

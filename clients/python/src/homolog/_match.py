@@ -37,6 +37,15 @@ class Mesh:
         values = f", values {', '.join(self.values)}" if self.values else ""
         return f"<homolog.Mesh {len(self.vertices)} vertices, {len(self.faces)} triangles{values}>"
 
+    def to_pyvista(self) -> Any:
+        """The same as a ``pyvista.PolyData``, with the values as arrays of its points."""
+        import pyvista
+
+        mesh = pyvista.PolyData.from_regular_faces(self.vertices, self.faces)
+        for name, values in self.values.items():
+            mesh.point_data[name] = values
+        return mesh
+
     def to_trimesh(self) -> Any:
         """The same as a ``trimesh.Trimesh``, with the same order of vertices."""
         import trimesh
@@ -127,6 +136,39 @@ class Match:
     def file(self, name: str) -> bytes:
         """A part of the result in a format, such as ``warped.vtk`` or ``correspondences.parquet``."""
         return bytes(self.service.call(download_file, id=self.id, name=name).payload.read())
+
+    def plot(self, color: str = "correspondence", *, show: bool = True, **options: Any) -> Any:
+        """Both surfaces side by side, turned together, with pyvista: the source moved rigidly onto the target, and the target.
+
+        ``color``: ``"correspondence"`` (corresponding points have one color), or a value of ``warped`` at each vertex of the source,
+        such as ``"confidence"`` or ``"residual_mm"``. ``show``: opens the window, or draws the picture in a notebook; else the plotter
+        is returned as it is. ``options`` go to ``pyvista.Plotter``, such as ``off_screen=True``. Returns the plotter.
+        """
+        import pyvista
+
+        source, target, warped = self.mesh("aligned"), self.mesh("target"), self.warped
+        plotter = pyvista.Plotter(shape=(1, 2), **options)
+        verdict = {True: "reliable", False: "not reliable: " + ", ".join(self.reasons), None: "no verdict"}[self.reliable]
+        if color == "correspondence":
+            low, high = target.vertices.min(axis=0), target.vertices.max(axis=0)
+            scale = np.where(high > low, high - low, 1.0)
+            sides = [(source, np.clip((warped.vertices - low) / scale, 0, 1)), (target, (target.vertices - low) / scale)]
+            drawn: list[tuple[Any, dict[str, Any]]] = [
+                (mesh.to_pyvista(), {"scalars": np.round(255 * values).astype(np.uint8), "rgb": True}) for mesh, values in sides]
+        elif color in warped.values:
+            drawn = [(source.to_pyvista(), {"scalars": warped.values[color], "scalar_bar_args": {"title": color}}),
+                     (target.to_pyvista(), {"color": "lightgray"})]
+        else:
+            plotter.close()
+            raise ValueError(f"color must be correspondence or one of {', '.join(warped.values)}, not {color!r}")
+        for side, (title, (mesh, look)) in enumerate(zip(("source, moved rigidly", "target"), drawn)):
+            plotter.subplot(0, side)
+            plotter.add_mesh(mesh, **look)
+            plotter.add_text(f"{title}\n{verdict}" if side == 0 else title, font_size=9)
+        plotter.link_views()
+        if show:
+            plotter.show()
+        return plotter
 
     def save(self, folder: str | Path, *names: str) -> list[Path]:
         """Writes files into a folder, which is made if it is missing; by default what most people open next."""

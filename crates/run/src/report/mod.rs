@@ -18,6 +18,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 use crate::colors::{Colors, ramp_svg};
+use crate::next::next_step;
 use crate::page::{Page, escaped};
 use crate::warped::{WarpError, warp};
 
@@ -72,7 +73,7 @@ fn verdict(inputs: &ReportInputs<'_>) -> String {
     if !verdict.reasons.is_empty() {
         html.push_str("<ul>");
         for reason in &verdict.reasons {
-            let _ = write!(html, "<li>{} {}</li>", escaped(reason.meaning()), escaped(reason.advice()));
+            let _ = write!(html, "<li>{}</li>", escaped(reason.meaning()));
         }
         html.push_str("</ul>");
     }
@@ -83,6 +84,7 @@ fn verdict(inputs: &ReportInputs<'_>) -> String {
         }
         html.push_str("</ul>");
     }
+    let _ = write!(html, "<p><strong>Next:</strong> {}</p>", escaped(&next_step(inputs.document)));
     let _ = write!(html, "<p>{}</p>", escaped(&verdict.distance()));
     let missing = inputs.correspondences.outlier.iter().filter(|&&o| o == OutlierReason::NoCounterpart).count();
     if missing > 0 {
@@ -349,6 +351,7 @@ mod tests {
         let page = write_report(&inputs).unwrap();
         let body = page.split_once("</h1>").unwrap().1;
         assert!(body.trim_start().starts_with("<section class=\"verdict"), "{}", &body[..200]);
+        assert!(body.contains(&format!("<strong>Next:</strong> {}", escaped(&next_step(&output.document)))));
         assert!(page.contains(output.document.verdict().headline()) && !page.contains("Doe^Jane"));
         for reference in ["http://", "https://", "src=", "href=", "style=", "url(", "@import", "onclick="] {
             assert!(!page.contains(reference), "{reference}");

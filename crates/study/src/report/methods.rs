@@ -4,6 +4,7 @@ use super::escaped;
 use crate::findings::Findings;
 use crate::plan::Study;
 use crate::settings::{Size, TemplateChoice};
+use homolog_contract::parameters::Method;
 
 /// The section on methods.
 pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
@@ -47,8 +48,12 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
     ));
     if let Some(statistics) = &found.statistics {
         let columns: Vec<String> = statistics.design.columns.iter().map(|column| escaped(column)).collect();
-        let contrasts: Vec<String> =
-            statistics.design.contrasts.iter().map(|contrast| escaped(&contrast.meaning)).collect();
+        let contrasts: Vec<String> = statistics
+            .design
+            .contrasts
+            .iter()
+            .map(|c| format!("{} ({})", escaped(&c.name), escaped(&c.meaning)))
+            .collect();
         paragraphs.push(format!(
             "At every vertex a linear model of {} rows with the columns {} was fitted; contrasts: {}.",
             statistics.design.rows.len(),
@@ -84,3 +89,57 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
         escaped(&parameters)
     )
 }
+
+/// The literature of what this study used, for a supplement.
+pub(super) fn references(study: &Study, found: &Findings) -> String {
+    let settings = &study.settings;
+    let mut list = Vec::new();
+    list.extend(match settings.parameters.method {
+        Method::Cpd => vec![CPD],
+        Method::Bcpd => vec![BCPD],
+        Method::NonrigidIcp => vec![NONRIGID_ICP],
+        Method::SpharmPdm => vec![SPHARM],
+        Method::FunctionalMap => vec![FUNCTIONAL_MAPS],
+        Method::Icp => vec![ICP],
+        _ => vec![RANSAC, GAUSSIAN_PROCESSES],
+    });
+    list.extend([PROCRUSTES, SHAPE_MODELS, MODEL_QUALITY]);
+    if let Some(statistics) = &found.statistics {
+        if statistics.longitudinal {
+            list.push(REML);
+        } else {
+            list.extend([ROBUST_ERRORS, FREEDMAN_LANE, PERMUTATIONS, TFCE]);
+        }
+        list.push(FALSE_DISCOVERIES);
+        if !statistics.whole.is_empty() {
+            list.push(HEDGES);
+        }
+    }
+    if found.labels.as_ref().is_some_and(|labels| !labels.dice.is_empty()) {
+        list.push(DICE);
+    }
+    list.sort_unstable();
+    let items: String = list.iter().map(|text| format!("<li>{}</li>", escaped(text))).collect();
+    format!("<h2>References</h2>\n<ol class=\"references\">{items}</ol>\n")
+}
+
+const BCPD: &str = "Hirose, O. (2021). A Bayesian formulation of coherent point drift. IEEE Transactions on Pattern Analysis and Machine Intelligence 43(7), 2269–2286.";
+const CPD: &str = "Myronenko, A., Song, X. (2010). Point set registration: coherent point drift. IEEE Transactions on Pattern Analysis and Machine Intelligence 32(12), 2262–2275.";
+const DICE: &str =
+    "Dice, L. R. (1945). Measures of the amount of ecologic association between species. Ecology 26(3), 297–302.";
+const FALSE_DISCOVERIES: &str = "Benjamini, Y., Hochberg, Y. (1995). Controlling the false discovery rate: a practical and powerful approach to multiple testing. Journal of the Royal Statistical Society B 57(1), 289–300.";
+const FREEDMAN_LANE: &str = "Freedman, D., Lane, D. (1983). A nonstochastic interpretation of reported significance levels. Journal of Business & Economic Statistics 1(4), 292–298.";
+const FUNCTIONAL_MAPS: &str = "Ovsjanikov, M., Ben-Chen, M., Solomon, J., Butscher, A., Guibas, L. (2012). Functional maps: a flexible representation of maps between shapes. ACM Transactions on Graphics 31(4), 30.";
+const GAUSSIAN_PROCESSES: &str = "Lüthi, M., Gerig, T., Jud, C., Vetter, T. (2018). Gaussian process morphable models. IEEE Transactions on Pattern Analysis and Machine Intelligence 40(8), 1860–1873.";
+const HEDGES: &str = "Hedges, L. V. (1981). Distribution theory for Glass's estimator of effect size and related estimators. Journal of Educational Statistics 6(2), 107–128.";
+const ICP: &str = "Besl, P. J., McKay, N. D. (1992). A method for registration of 3-D shapes. IEEE Transactions on Pattern Analysis and Machine Intelligence 14(2), 239–256.";
+const MODEL_QUALITY: &str = "Davies, R. H., Twining, C. J., Cootes, T. F., Waterton, J. C., Taylor, C. J. (2002). A minimum description length approach to statistical shape modeling. IEEE Transactions on Medical Imaging 21(5), 525–537.";
+const NONRIGID_ICP: &str = "Amberg, B., Romdhani, S., Vetter, T. (2007). Optimal step nonrigid ICP algorithms for surface registration. IEEE Conference on Computer Vision and Pattern Recognition.";
+const PERMUTATIONS: &str = "Winkler, A. M., Ridgway, G. R., Webster, M. A., Smith, S. M., Nichols, T. E. (2014). Permutation inference for the general linear model. NeuroImage 92, 381–397.";
+const PROCRUSTES: &str = "Gower, J. C. (1975). Generalized Procrustes analysis. Psychometrika 40(1), 33–51.";
+const RANSAC: &str = "Fischler, M. A., Bolles, R. C. (1981). Random sample consensus: a paradigm for model fitting with applications to image analysis and automated cartography. Communications of the ACM 24(6), 381–395.";
+const REML: &str = "Patterson, H. D., Thompson, R. (1971). Recovery of inter-block information when block sizes are unequal. Biometrika 58(3), 545–554.";
+const ROBUST_ERRORS: &str = "MacKinnon, J. G., White, H. (1985). Some heteroskedasticity-consistent covariance matrix estimators with improved finite sample properties. Journal of Econometrics 29(3), 305–325.";
+const SHAPE_MODELS: &str = "Cootes, T. F., Taylor, C. J., Cooper, D. H., Graham, J. (1995). Active shape models: their training and application. Computer Vision and Image Understanding 61(1), 38–59.";
+const SPHARM: &str = "Styner, M., Oguz, I., Xu, S., Brechbühler, C., Pantazis, D., Levitt, J. J., Shenton, M. E., Gerig, G. (2006). Framework for the statistical shape analysis of brain structures using SPHARM-PDM. Insight Journal.";
+const TFCE: &str = "Smith, S. M., Nichols, T. E. (2009). Threshold-free cluster enhancement: addressing problems of smoothing, threshold dependence and localisation in cluster inference. NeuroImage 44(1), 83–98.";

@@ -6,7 +6,7 @@
 
 mod demographics;
 mod methods;
-mod plots;
+pub(crate) mod plots;
 
 use crate::error::StudyError;
 use crate::findings::{Findings, Place, moved};
@@ -32,7 +32,7 @@ const MAX_PICTURES: usize = 12;
 const MAX_PICTURE_VERTICES: usize = 120_000;
 /// Modes on the page.
 const SHOWN_MODES: usize = 5;
-/// Rows of the table of quality control.
+/// Rows of the table of quality control on a screen; print has all.
 const SHOWN_SUBJECTS: usize = 200;
 
 /// The page as HTML.
@@ -58,6 +58,7 @@ pub(crate) fn page(
         consistency(found),
         labels(found),
         methods::text(study, found, commit),
+        methods::references(study, found),
     ]
     .concat();
     let n = found.subjects.len();
@@ -123,13 +124,14 @@ fn reason_in_words(reason: &str) -> String {
 fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> String {
     let mut rows = String::new();
     let order = most_urgent_first(&found.subjects);
-    for &k in order.iter().take(SHOWN_SUBJECTS) {
+    for (place, &k) in order.iter().enumerate() {
         let subject = &found.subjects[k];
         let class = match (subject.place, subject.flags.is_empty()) {
             (Place::Failed | Place::Unreliable, _) => "bad",
             (_, false) => "open",
             _ => "good",
         };
+        let more = if place < SHOWN_SUBJECTS { "" } else { " more" };
         let picture = pictures.iter().find(|(of, _)| *of == k).map_or(String::new(), |(_, shape)| {
             format!("<canvas data-shape=\"{shape}\" role=\"img\" aria-label=\"the shape of this subject\"></canvas>")
         });
@@ -144,7 +146,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
         let is_matched = subject.place != Place::Failed;
         let _ = write!(
             rows,
-            "<tr class=\"{class}\"><td>{}</td><td>{picture}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
+            "<tr class=\"{class}{more}\"><td>{}</td><td>{picture}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
              <td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
             escaped(&study.cohort.subjects[k].id),
             place_name(subject.place),
@@ -155,7 +157,11 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
         );
     }
     let more = order.len().saturating_sub(SHOWN_SUBJECTS);
-    let more = if more > 0 { format!("<p class=\"hint\">{more} more in quality.csv.</p>") } else { String::new() };
+    let more = if more > 0 {
+        format!("<p class=\"hint\">{more} more in print and in quality.csv.</p>")
+    } else {
+        String::new()
+    };
     format!(
         "<h2>Quality control</h2>\n<p class=\"hint\">The most urgent first. Residual: mean distance from the subject's surface to the \
          template bent onto it. Turned: triangles of the template that the map turns over. Unusual: share of subjects \
@@ -200,7 +206,7 @@ impl View {
             let contrast = found.statistics.as_ref().map(|s| &s.design.contrasts[map.contrast]);
             let (values, largest) = scaled(map.effect());
             let significant: Vec<u8> = map.p_corrected().iter().map(|&p| u8::from(p < 0.05)).collect();
-            let title = format!("{}: {}", contrast.map_or("", |c| &c.meaning), map.measure.title());
+            let title = format!("{}: {}", contrast.map_or("", |c| &c.name), map.measure.title());
             let _ = write!(map_options, "<option value=\"{}\">{}</option>", maps.len(), escaped(&title));
             maps.push(json!({
                 "title": title, "largest": largest, "values": values, "significant": BASE64.encode(significant),
@@ -264,8 +270,10 @@ impl View {
              <label>−2 sd <input type=\"range\" id=\"along\" min=\"-50\" max=\"50\" value=\"50\"> +2 sd</label></div></div>\n\
              <p class=\"colors\"><span id=\"low\"></span><span class=\"bar\"></span><span id=\"high\"></span> \
              <span id=\"legend\"></span></p>\n\
+             <p class=\"save\" id=\"save\"></p>\n\
              <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
-             subjects along the normal of the mean.</p>\n"
+             subjects along the normal of the mean. Pictures are saved as they are shown; the surfaces with all maps are in the folder, \
+             maps/*.vtk and maps/*.shape.gii over mean.surf.gii.</p>\n"
         );
         Ok(View { section, data, pictures })
     }
@@ -290,6 +298,13 @@ fn effects(study: &Study, found: &Findings) -> String {
         return "<h2>Effects</h2>\n<p>No effect was asked for (<code>--effect</code>).</p>\n".to_owned();
     };
     let mut html = format!("<h2>Effects at vertices</h2>\n{}", demographics::degrees(study, found));
+    let named: Vec<Vec<String>> = statistics
+        .design
+        .contrasts
+        .iter()
+        .map(|contrast| vec![escaped(&contrast.name), escaped(&contrast.meaning)])
+        .collect();
+    html.push_str(&table(&["contrast", "what it compares"], &named, "free"));
     let weights = &found.alignment.weights;
     let rows: Vec<Vec<String>> = statistics
         .maps
@@ -301,7 +316,7 @@ fn effects(study: &Study, found: &Findings) -> String {
                 if key(v) < key(best) { v } else { best }
             });
             vec![
-                escaped(&statistics.design.contrasts[map.contrast].meaning),
+                escaped(&statistics.design.contrasts[map.contrast].name),
                 map.measure.title().to_owned(),
                 p.get(best).map_or(String::new(), |p| p_value(*p)),
                 format!("{:.1} %", 100.0 * significant_share(p, weights)),

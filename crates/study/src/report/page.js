@@ -8,6 +8,50 @@
   const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   const floats = (text) => new Float32Array(bytes(text).buffer);
   const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
+
+  // Figures to save: a plot, or the view with its colors, as SVG, or drawn from it at twice its size as PNG.
+  const keep = (name, blob) => {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  };
+  const asText = (svg) => {
+    const { width, height } = svg.viewBox.baseVal, whole = svg.cloneNode(true);
+    const set = { width, height, "font-family": "sans-serif", "font-size": 12, fill: "#5b6675" };
+    for (const [name, value] of Object.entries(set)) whole.setAttribute(name, value);
+    const ground = document.createElementNS(svg.namespaceURI, "rect");
+    for (const [name, value] of Object.entries({ width, height, fill: "#fff" })) ground.setAttribute(name, value);
+    whole.prepend(ground);
+    return [new XMLSerializer().serializeToString(whole), width, height];
+  };
+  const savers = (place, name, make) => {
+    for (const kind of ["SVG", "PNG"]) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.textContent = `Save as ${kind}`;
+      button.addEventListener("click", () => {
+        const [text, width, height] = asText(make());
+        if (kind === "SVG") return keep(`${name()}.svg`, new Blob([text], { type: "image/svg+xml" }));
+        const picture = new Image(), paper = document.createElement("canvas");
+        picture.addEventListener("load", () => {
+          [paper.width, paper.height] = [2 * width, 2 * height];
+          paper.getContext("2d").drawImage(picture, 0, 0, paper.width, paper.height);
+          paper.toBlob((blob) => keep(`${name()}.png`, blob), "image/png");
+        });
+        picture.src = `data:image/svg+xml,${encodeURIComponent(text)}`;
+      });
+      place.append(button);
+    }
+  };
+  const plain = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+  for (const plot of document.querySelectorAll("svg.plot")) {
+    const row = document.createElement("p");
+    row.className = "save";
+    plot.after(row);
+    savers(row, () => plain(plot.getAttribute("aria-label")), () => plot);
+  }
   if (!gl) { by("legend").textContent = "This browser has no WebGL 2, which the view of the surfaces needs."; return; }
 
   const vertexShader = `#version 300 es
@@ -123,6 +167,29 @@
     along.disabled = !(right && right.move);
     redraw();
   };
+
+  // The view with its names, color bar and units, as SVG around the picture.
+  const figure = () => {
+    draw();
+    const like = document.querySelector("svg.plot"), space = like.namespaceURI;
+    const width = 960, high = Math.round((width * canvas.height) / canvas.width), height = high + 44;
+    const made = (name, members, text = "") => {
+      const element = document.createElementNS(space, name);
+      for (const [member, value] of Object.entries(members)) element.setAttribute(member, value);
+      element.textContent = text;
+      return element;
+    };
+    const svg = made("svg", { viewBox: `0 0 ${width} ${height}` });
+    svg.append(made("image", { href: canvas.toDataURL("image/png"), width, height: high }));
+    svg.append(made("text", { x: 12, y: 20 }, "mean"), made("text", { x: width / 2 + 12, y: 20 }, by("right").textContent));
+    const ramp = made("linearGradient", { id: "ramp" });
+    [["0", "rgb(33,89,173)"], ["0.5", "rgb(204,207,212)"], ["1", "rgb(179,28,36)"]].forEach(([offset, color]) => ramp.append(made("stop", { offset, "stop-color": color })));
+    const y = high + 16;
+    svg.append(ramp, made("text", { x: 92, y: y + 11, "text-anchor": "end" }, by("low").textContent), made("rect", { x: 100, y, width: 200, height: 12, fill: `url${"("}#ramp)` }));
+    svg.append(made("text", { x: 308, y: y + 11 }, `${by("high").textContent}   ${by("legend").textContent}${only.checked ? ", corrected p < 0.05" : ""}`));
+    return svg;
+  };
+  savers(by("save"), () => plain(`${by("legend").textContent} ${by("right").textContent}`), figure);
 
   // Pictures of quality control: drawn in the same canvas, then copied.
   canvas.width = 220; canvas.height = 128;

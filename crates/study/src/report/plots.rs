@@ -1,12 +1,26 @@
-//! Plots as SVG, without inline styles: the policy of the page allows no style attributes.
+//! Plots as SVG, without inline styles: the policy of the page allows no style attributes. As files, they stand alone.
 
 use super::{escaped, signed};
 use crate::findings::WholeEffect;
 use crate::model::ModelQuality;
 use std::fmt::Write;
 
+/// A plot of the page as a file of its own.
+pub(crate) fn standalone(plot: &str) -> String {
+    let svg = plot.split_once("</svg>").map_or(plot, |(svg, _)| svg);
+    // `viewBox` is `0 0 width height`.
+    let size = svg.split_once("viewBox=\"0 0 ").and_then(|(_, rest)| rest.split_once('"')).map_or("", |(size, _)| size);
+    let (width, height) = size.split_once(' ').unwrap_or(("860", "190"));
+    let own = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" font-family=\"sans-serif\" \
+         font-size=\"12\" fill=\"#5b6675\""
+    );
+    let ground = format!("><rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>");
+    svg.replacen("<svg class=\"plot\"", &own, 1).replacen('>', &ground, 1) + "</svg>\n"
+}
+
 /// Standardized effects with their intervals, one line each.
-pub(super) fn forest(effects: &[WholeEffect]) -> String {
+pub(crate) fn forest(effects: &[WholeEffect]) -> String {
     let finite = |x: &f64| x.is_finite();
     let reach = effects
         .iter()
@@ -57,7 +71,7 @@ pub(super) fn forest(effects: &[WholeEffect]) -> String {
 }
 
 /// Compactness, generalization and specificity over the number of modes, side by side.
-pub(super) fn model(quality: &ModelQuality) -> String {
+pub(crate) fn model(quality: &ModelQuality) -> String {
     let mut svg = "<svg class=\"plot\" viewBox=\"0 0 860 190\" role=\"img\" aria-label=\"Quality of the shape model over its modes\">".to_owned();
     let parts = [
         ("compactness", &quality.compactness, 1.0),

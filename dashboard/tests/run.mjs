@@ -745,7 +745,7 @@ test("a batch, worst first, and the state of the queue", async () => {
   await h.accessible(page, "operations");
   await h.picture(page, "operations");
   await api(open, `jobs/${running}/cancel`, { method: "POST" });
-  await page.waitForSelector('text="No job is running."');
+  await h.until("an idle worker", async () => /^0 workers run 0 jobs, 1 is idle/.test(await page.textContent("#use")));
   page.complaints();
 });
 

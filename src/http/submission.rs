@@ -148,12 +148,12 @@ pub(super) fn input_or_id<'de, D: Deserializer<'de>>(deserializer: D) -> Result<
     deserializer.deserialize_any(InputReader { takes_id: true })
 }
 
-/// Reads an input whose member may be `null`.
+/// Reads an input as [`input`] does, or `null` as none.
 pub(super) fn maybe_input<'de, D: Deserializer<'de>>(d: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
     d.deserialize_any(MaybeInputReader(InputReader { takes_id: false }))
 }
 
-/// Reads an input or the id of one, where the member may be `null`.
+/// Reads an input as [`input_or_id`] does, or `null` as none.
 pub(super) fn maybe_input_or_id<'de, D: Deserializer<'de>>(d: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
     d.deserialize_any(MaybeInputReader(InputReader { takes_id: true }))
 }

@@ -10,6 +10,7 @@
 
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::graph::EdgeGraph;
+use homolog_primitives::observe::{Cancelled, Observer, Silent, checkpoint_within};
 use homolog_primitives::points::farthest_points;
 use nalgebra::Point3;
 use std::cmp::Reverse;
@@ -19,6 +20,8 @@ use std::collections::BinaryHeap;
 const CANDIDATES_PER_SITE: usize = 16;
 /// Largest number of rounds; each drops sites whose cell has no corner and recomputes the cells.
 const ROUNDS: usize = 32;
+/// Vertices that are taken from the front between two checks for cancellation, about a millisecond.
+const AT_ONCE: usize = 4096;
 
 /// A coarse level, with the maps to and from the finer surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,9 +41,21 @@ pub struct CoarseSurface {
 /// # Cost
 /// `O(n log n + n_sites²)`.
 pub fn coarsen(mesh: &SurfaceMesh, n_sites: usize) -> Option<CoarseSurface> {
+    coarsen_observed(mesh, n_sites, &Silent).unwrap_or(None)
+}
+
+/// [`coarsen`], which stops when `observer` asks.
+///
+/// # Errors
+/// [`Cancelled`]; the observer is asked after every few thousand vertices.
+pub fn coarsen_observed(
+    mesh: &SurfaceMesh,
+    n_sites: usize,
+    observer: &dyn Observer,
+) -> Result<Option<CoarseSurface>, Cancelled> {
     let n = mesh.n_vertices();
     if n <= n_sites || n_sites < 4 {
-        return None;
+        return Ok(None);
     }
     let graph = mesh.edge_graph();
     // Canonical numbering follows a curve through space, so every k-th vertex is an even sample.
@@ -49,23 +64,23 @@ pub fn coarsen(mesh: &SurfaceMesh, n_sites: usize) -> Option<CoarseSurface> {
     let mut sites: Vec<u32> = farthest_points(&candidates, n_sites).iter().map(|&k| (k * step) as u32).collect();
     sites.sort_unstable();
     for _ in 0..ROUNDS {
-        let cells = cells(mesh, &graph, &sites);
+        let cells = cells(mesh, &graph, &sites, observer)?;
         let triangles = coarse_triangles(mesh, &cells);
         let mut used = vec![false; sites.len()];
         triangles.iter().flatten().for_each(|&k| used[k as usize] = true);
         if used.iter().all(|&u| u) {
             let vertices = sites.iter().map(|&k| mesh.vertices()[k as usize]).collect();
-            let mesh = SurfaceMesh::new(vertices, FaceArity::Triangle, triangles.concat()).ok()?;
-            return Some(CoarseSurface { mesh, sites, cells });
+            let mesh = SurfaceMesh::new(vertices, FaceArity::Triangle, triangles.concat());
+            return Ok(mesh.ok().map(|mesh| CoarseSurface { mesh, sites, cells }));
         }
         sites = sites.iter().zip(&used).filter(|(_, u)| **u).map(|(&s, _)| s).collect();
     }
-    None
+    Ok(None)
 }
 
 /// For every vertex the index of its nearest site along edges; ties go to the lowest index. Vertices of a piece without
 /// a site get the nearest site through space.
-fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
+fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32], observer: &dyn Observer) -> Result<Vec<u32>, Cancelled> {
     let v = mesh.vertices();
     let mut cell = vec![u32::MAX; v.len()];
     // Non-negative lengths compare like their bit patterns.
@@ -73,7 +88,12 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
         sites.iter().enumerate().map(|(k, &s)| Reverse((0, k as u32, s))).collect();
     // The shortest known path to each vertex and its site, so that only improvements enter the queue.
     let mut nearest = vec![(u64::MAX, u32::MAX); v.len()];
+    let mut n_popped = 0usize;
     while let Some(Reverse((length, k, i))) = front.pop() {
+        n_popped += 1;
+        if n_popped.is_multiple_of(AT_ONCE) {
+            checkpoint_within(observer)?;
+        }
         if cell[i as usize] != u32::MAX {
             continue;
         }
@@ -90,11 +110,12 @@ fn cells(mesh: &SurfaceMesh, graph: &EdgeGraph, sites: &[u32]) -> Vec<u32> {
         }
     }
     for (p, k) in v.iter().zip(&mut cell).filter(|(_, k)| **k == u32::MAX) {
+        checkpoint_within(observer)?;
         let distances = sites.iter().map(|&s| (v[s as usize] - p).norm_squared());
         let nearest = distances.zip(0..).min_by(|a, b| a.0.total_cmp(&b.0));
         *k = nearest.map_or(0, |(_, k)| k);
     }
-    cell
+    Ok(cell)
 }
 
 /// The triples of cells that meet in a face, oriented like the face, each once, ascending. Pairs of triangles with the
@@ -169,7 +190,7 @@ mod tests {
         for fine in [ellipsoid(Vector3::new(9.0, 6.0, 4.0), 3), torus(10.0, 4.0, 24, 12, FaceArity::Quad)] {
             let (fine, graph) = (canonicalize(&fine).mesh, canonicalize(&fine).mesh.edge_graph());
             let sites: Vec<u32> = (0..fine.n_vertices() as u32).step_by(23).collect();
-            let found = cells(&fine, &graph, &sites);
+            let found = cells(&fine, &graph, &sites, &Silent).unwrap();
             assert_eq!(found, cells_by_relaxation(&fine, &graph, &sites));
         }
     }

@@ -6,6 +6,7 @@ use faer::linalg::solvers::Solve;
 use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
 use faer::sparse::{Argsort, Pair, SparseColMat, SymbolicSparseColMat};
 use faer::{Mat, Side};
+use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
 
 /// Row and column of an entry of the lower triangle, diagonal included.
 pub type Place = Pair<usize, usize>;
@@ -36,6 +37,24 @@ impl CholeskyPattern {
         let matrix = SparseColMat::new_from_argsort(self.places.clone(), &self.order, values).ok()?;
         Llt::try_new_with_symbolic(self.factor.clone(), matrix.as_ref(), Side::Lower).ok().map(Cholesky)
     }
+}
+
+/// The `n × n` matrix with `values` at `places`, factorized. `None` if it is not positive definite.
+///
+/// # Errors
+/// [`Cancelled`]; the observer is asked before and after the order of elimination is found, and after the factorization.
+pub fn factorized(
+    n: usize,
+    places: &[Place],
+    values: &[f64],
+    observer: &dyn Observer,
+) -> Result<Option<Cholesky>, Cancelled> {
+    checkpoint_within(observer)?;
+    let pattern = CholeskyPattern::new(n, places);
+    checkpoint_within(observer)?;
+    let factor = pattern.and_then(|pattern| pattern.factorize(values));
+    checkpoint_within(observer)?;
+    Ok(factor)
 }
 
 impl Cholesky {

@@ -12,7 +12,7 @@
 //! Ovsjanikov, Guibas 2009 (heat kernel signature); Aubry, Schlickewei, Cremers 2011 (wave kernel signature).
 
 use crate::curvature::{cotangent_weights, vertex_areas};
-use crate::sparse::{Cholesky, CholeskyPattern, Place};
+use crate::sparse::{Cholesky, Place, factorized};
 use faer::{Mat, Side};
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
@@ -54,7 +54,7 @@ pub fn spectrum(mesh: &SurfaceMesh, k: usize, observer: &dyn Observer) -> Result
     let least = LEAST_AREA * total / n as f64;
     areas.iter_mut().for_each(|a| *a = a.max(least));
     let shift = SHIFT / total;
-    let Some(factor) = shifted(mesh, &areas, shift) else { return Ok(None) };
+    let Some(factor) = shifted(mesh, &areas, shift, observer)? else { return Ok(None) };
     let roots: Vec<f64> = areas.iter().map(|a| a.sqrt()).collect();
     let apply = |block: &Mat<f64>| {
         let solved = factor.solve(n, block.ncols(), &|i, c| roots[i] * block[(i, c)]);
@@ -67,7 +67,12 @@ pub fn spectrum(mesh: &SurfaceMesh, k: usize, observer: &dyn Observer) -> Result
 }
 
 /// `L + s A`, factorized.
-fn shifted(mesh: &SurfaceMesh, areas: &[f64], shift: f64) -> Option<Cholesky> {
+fn shifted(
+    mesh: &SurfaceMesh,
+    areas: &[f64],
+    shift: f64,
+    observer: &dyn Observer,
+) -> Result<Option<Cholesky>, Cancelled> {
     let (mut places, mut values) = (Vec::new(), Vec::new());
     for w in cotangent_weights(mesh) {
         let (row, column) = (w.i.max(w.j), w.i.min(w.j));
@@ -78,7 +83,7 @@ fn shifted(mesh: &SurfaceMesh, areas: &[f64], shift: f64) -> Option<Cholesky> {
         places.push(Place::new(i, i));
         values.push(shift * area);
     }
-    CholeskyPattern::new(areas.len(), &places)?.factorize(&values)
+    factorized(areas.len(), &places, &values, observer)
 }
 
 /// Eigenvalues, descending, and eigenvectors.

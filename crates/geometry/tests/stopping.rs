@@ -4,6 +4,8 @@
 
 use homolog_geometry::curvature::{Estimator, curvatures, vertex_areas};
 use homolog_geometry::descriptors::{fpfh, principal_components, shape_contexts, shot, spin_images};
+use homolog_geometry::harmonics::{HarmonicsError, ParametrizationOptions, parametrize};
+use homolog_geometry::hierarchy::coarsen_observed;
 use homolog_geometry::spectrum::spectrum;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_primitives::observe::{Cancelled, Observer, Silent};
@@ -30,6 +32,39 @@ impl Observer for StopAfter {
     }
     fn is_stopped(&self) -> bool {
         self.asked.fetch_add(1, Ordering::Relaxed) >= self.checks
+    }
+}
+
+#[test]
+fn the_map_onto_a_sphere_is_asked_around_each_of_its_factorizations() {
+    let mesh = ellipsoid(Vector3::new(9.0, 6.0, 5.0), 3);
+    // No step of the optimization, which asks too.
+    let options = ParametrizationOptions { max_iterations: 0, ..ParametrizationOptions::default() };
+    let whole = StopAfter::new(usize::MAX);
+    parametrize(&mesh, &options, &whole).unwrap();
+    // Before and after the order of elimination, and after the factorization, of three systems.
+    let asked = whole.asked.load(Ordering::Relaxed);
+    assert!(asked >= 9, "{asked} checks");
+    for checks in 0..9 {
+        let stopped = parametrize(&mesh, &options, &StopAfter::new(checks));
+        assert_eq!(stopped.err(), Some(HarmonicsError::Cancelled(Cancelled)), "after {checks}");
+    }
+}
+
+#[test]
+fn coarsening_stops_within_some_thousand_vertices() {
+    let mesh = ellipsoid(Vector3::new(9.0, 6.0, 5.0), 6);
+    let whole = StopAfter::new(usize::MAX);
+    let coarse = coarsen_observed(&mesh, 3_000, &whole).unwrap().unwrap();
+    let asked = whole.asked.load(Ordering::Relaxed);
+    assert!(coarse.sites.len() > 2_900 && asked >= mesh.n_vertices() / 4_096, "{asked} checks");
+    assert_eq!(whole.counted.load(Ordering::Relaxed), 0, "a piece is no step");
+    for checks in [0, asked / 2, asked - 1] {
+        assert_eq!(
+            coarsen_observed(&mesh, 3_000, &StopAfter::new(checks)),
+            Err(Cancelled),
+            "after {checks} of {asked}"
+        );
     }
 }
 

@@ -27,7 +27,7 @@ use crate::poses::posed::Posed;
 use crate::surface::levels::Levels;
 use crate::thesis::coarse::coarse;
 use homolog_contract::parameters::MatchParameters;
-use homolog_mesh::SurfaceMesh;
+use homolog_mesh::{Numbering, SurfaceMesh};
 use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 
 /// Matches `source` to `target` and registers them. Correspondences use the vertex indices of these two meshes.
@@ -51,8 +51,9 @@ pub fn match_surfaces(
 ) -> Result<MatchOutcome, MatchError> {
     observer.phase(Phase::Features);
     let coarse = parameters.inference.coarse_vertices;
-    let (source, target) = rayon::join(|| Levels::new(source, coarse), || Levels::new(target, coarse));
-    match_levels(&source, &target, parameters, observer)
+    let levels = |mesh: &SurfaceMesh| Levels::observed(mesh, &Numbering::identity(mesh.n_vertices()), coarse, observer);
+    let (source, target) = rayon::join(|| levels(source), || levels(target));
+    match_levels(&source?, &target?, parameters, observer)
 }
 
 /// [`match_surfaces`] from prebuilt levels, with the `inference.coarse_vertices` of `parameters`. The result is the

@@ -18,9 +18,9 @@
 use super::{InputFile, RunError, Side, check_size, content_hash};
 use crate::intake::{IntakeError, IntakeLimits, PreparedSurface, prepare_surface};
 use homolog_contract::parameters::{InputParameters, MatchParameters};
-use homolog_matching::Levels;
+use homolog_matching::{Levels, MatchError};
 use homolog_mesh::SurfaceMesh;
-use homolog_primitives::observe::{Observer, Phase};
+use homolog_primitives::observe::{Cancelled, Observer, Phase};
 use quick_cache::sync::{Cache, DefaultLifecycle, GuardResult, PlaceholderGuard};
 use quick_cache::{OptionsBuilder, Weighter};
 use std::cmp::Ordering;
@@ -140,11 +140,11 @@ impl Progress<'_> {
         }
     }
 
-    fn ready(self, coarse_vertices: Option<u32>) -> Arc<ReadySurface> {
-        match self {
+    fn ready(self, coarse_vertices: Option<u32>, observer: &dyn Observer) -> Result<Arc<ReadySurface>, Cancelled> {
+        Ok(match self {
             Progress::Kept(surface) => surface,
             Progress::Read(request, prepared, guard) => {
-                let levels = Levels::numbered(&prepared.mesh, &prepared.numbering, coarse_vertices);
+                let levels = Levels::observed(&prepared.mesh, &prepared.numbering, coarse_vertices, observer)?;
                 let surface = Arc::new(ReadySurface { hash: request.hash, prepared: *prepared, levels });
                 if let Some(guard) = guard {
                     // Waiting matches get the surface even if it is too large to be kept.
@@ -152,7 +152,7 @@ impl Progress<'_> {
                 }
                 surface
             }
-        }
+        })
     }
 }
 
@@ -216,7 +216,11 @@ impl SurfaceCache {
         let (mesh, labels) = (source.mesh(), target.as_ref().unwrap_or(&source).mesh().n_vertices());
         check_size((mesh.n_vertices(), mesh.n_faces()), labels, parameters, limits)?;
         observer.phase(Phase::Features);
-        let (source, target) = rayon::join(|| source.ready(coarse), || target.map(|target| target.ready(coarse)));
+        let (source, target) = rayon::join(
+            || source.ready(coarse, observer),
+            || target.map(|target| target.ready(coarse, observer)).transpose(),
+        );
+        let (source, target) = (source.map_err(MatchError::from)?, target.map_err(MatchError::from)?);
         metrics::gauge!("homolog_prepared_surfaces_bytes").set(self.bytes() as f64);
         let target = target.unwrap_or_else(|| Arc::clone(&source));
         Ok([source, target])

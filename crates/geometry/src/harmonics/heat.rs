@@ -11,8 +11,9 @@
 use super::HarmonicsError;
 use super::sphere::TargetAreas;
 use super::weights::WeightedEdges;
-use crate::sparse::{CholeskyPattern, Place};
+use crate::sparse::{Place, factorized};
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::Observer;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
 
@@ -30,13 +31,14 @@ pub(super) fn initial_directions(
     mesh: &SurfaceMesh,
     edges: &WeightedEdges,
     areas: &TargetAreas,
+    observer: &dyn Observer,
 ) -> Result<Vec<Vector3<f64>>, HarmonicsError> {
     let poles = find_poles(mesh, &areas.of_vertices());
     if edges.graph.neighbors(poles.north).binary_search(&(poles.south as u32)).is_ok() {
         return Err(HarmonicsError::TooCoarse { n_vertices: mesh.n_vertices() });
     }
-    let temperature = temperatures(edges, &poles)?;
-    let longitude = longitudes(edges, &poles, &temperature)?;
+    let temperature = temperatures(edges, &poles, observer)?;
+    let longitude = longitudes(edges, &poles, &temperature, observer)?;
     let heights = equal_area_heights(&temperature, areas);
     Ok((0..mesh.n_vertices())
         .map(|k| match k {
@@ -75,7 +77,12 @@ fn find_poles(mesh: &SurfaceMesh, vertex_areas: &[f64]) -> Poles {
 }
 
 /// Solves `Σ_j w_ij (x_i − x_j) = b_i` for all vertices except `held` ones, which keep their given values.
-fn conduct(edges: &WeightedEdges, held: &[Option<f64>], mut b: Vec<f64>) -> Result<Vec<f64>, HarmonicsError> {
+fn conduct(
+    edges: &WeightedEdges,
+    held: &[Option<f64>],
+    mut b: Vec<f64>,
+    observer: &dyn Observer,
+) -> Result<Vec<f64>, HarmonicsError> {
     let mut unknown = vec![usize::MAX; held.len()];
     let free: Vec<usize> = (0..held.len()).filter(|&k| held[k].is_none()).collect();
     for (row, &k) in free.iter().enumerate() {
@@ -107,23 +114,27 @@ fn conduct(edges: &WeightedEdges, held: &[Option<f64>], mut b: Vec<f64>) -> Resu
     }
     let n = free.len();
     let failed = HarmonicsError::NotPositiveDefinite;
-    let factor =
-        CholeskyPattern::new(n, &places).and_then(|pattern| pattern.factorize(&values)).ok_or(failed.clone())?;
+    let factor = factorized(n, &places, &values, observer)?.ok_or(failed.clone())?;
     let solved = factor.solve(n, 1, &|row, _| b[free[row]]);
     let x: Vec<f64> = (0..held.len()).map(|k| held[k].unwrap_or_else(|| solved[(unknown[k], 0)])).collect();
     if free.iter().any(|&k| !x[k].is_finite()) { Err(failed) } else { Ok(x) }
 }
 
 /// The temperature of every vertex: 0 at the north pole, π at the south pole.
-fn temperatures(edges: &WeightedEdges, poles: &Poles) -> Result<Vec<f64>, HarmonicsError> {
+fn temperatures(edges: &WeightedEdges, poles: &Poles, observer: &dyn Observer) -> Result<Vec<f64>, HarmonicsError> {
     let mut held = vec![None; edges.n_vertices()];
     held[poles.north] = Some(0.0);
     held[poles.south] = Some(PI);
-    conduct(edges, &held, vec![0.0; held.len()])
+    conduct(edges, &held, vec![0.0; held.len()], observer)
 }
 
 /// The longitude of every vertex except the poles, radians, up to multiples of 2π.
-fn longitudes(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Result<Vec<f64>, HarmonicsError> {
+fn longitudes(
+    edges: &WeightedEdges,
+    poles: &Poles,
+    temperature: &[f64],
+    observer: &dyn Observer,
+) -> Result<Vec<f64>, HarmonicsError> {
     let line = date_line(edges, poles, temperature);
     let [_, first, .., _] = line[..] else {
         return Err(HarmonicsError::TooCoarse { n_vertices: edges.n_vertices() });
@@ -146,7 +157,7 @@ fn longitudes(edges: &WeightedEdges, poles: &Poles, temperature: &[f64]) -> Resu
     held[poles.north] = Some(f64::NAN);
     held[poles.south] = Some(f64::NAN);
     held[first] = Some(0.0);
-    conduct(edges, &held, b)
+    conduct(edges, &held, b, observer)
 }
 
 /// The path from the north to the south pole through the warmest neighbors. The temperature has no maximum in between,

@@ -121,7 +121,7 @@ pub fn parametrize(
     }
     let weighted = weights::WeightedEdges::new(mesh)?;
     let areas = sphere::TargetAreas::new(mesh);
-    let mut directions = heat::initial_directions(mesh, &weighted, &areas)?;
+    let mut directions = heat::initial_directions(mesh, &weighted, &areas, observer)?;
     let n_unfolded = untangling::untangle(&mut directions, &weighted, &areas, observer)?;
     let relaxed = relaxation::relax(directions, &weighted, &areas, options, observer)?;
     Ok(Parametrization {

@@ -18,7 +18,7 @@
 use super::sphere::{TargetAreas, determinant};
 use super::weights::WeightedEdges;
 use super::{HarmonicsError, ParametrizationOptions};
-use crate::sparse::{Cholesky, CholeskyPattern, Place};
+use crate::sparse::{Cholesky, Place, factorized};
 use homolog_primitives::lbfgs::{self, Objective};
 use homolog_primitives::observe::Observer;
 use nalgebra::Vector3;
@@ -41,7 +41,8 @@ pub(super) fn relax(
     options: &ParametrizationOptions,
     observer: &dyn Observer,
 ) -> Result<Relaxed, HarmonicsError> {
-    let energy = MapEnergy { edges, areas, stretching: options.stretching, factor: preconditioner(edges, areas)? };
+    let energy =
+        MapEnergy { edges, areas, stretching: options.stretching, factor: preconditioner(edges, areas, observer)? };
     let start = directions.iter().flat_map(|d| [d.x, d.y, d.z]).collect();
     let minimum = lbfgs::minimize(&energy, start, options.max_iterations, options.tolerance, observer)?;
     let directions = points(&minimum.x).map(|x| x.normalize()).collect();
@@ -49,7 +50,11 @@ pub(super) fn relax(
 }
 
 /// `2 L + M`: twice the Laplacian, as in the Hessian of the area term, and the masses that make it definite.
-fn preconditioner(edges: &WeightedEdges, areas: &TargetAreas) -> Result<Cholesky, HarmonicsError> {
+fn preconditioner(
+    edges: &WeightedEdges,
+    areas: &TargetAreas,
+    observer: &dyn Observer,
+) -> Result<Cholesky, HarmonicsError> {
     let n = edges.n_vertices();
     let masses = areas.of_vertices();
     let capacity = edges.graph.n_directed_edges() / 2 + n;
@@ -66,9 +71,7 @@ fn preconditioner(edges: &WeightedEdges, areas: &TargetAreas) -> Result<Cholesky
         places.push(Place::new(i, i));
         values.push(diagonal);
     }
-    CholeskyPattern::new(n, &places)
-        .and_then(|pattern| pattern.factorize(&values))
-        .ok_or(HarmonicsError::NotPositiveDefinite)
+    factorized(n, &places, &values, observer)?.ok_or(HarmonicsError::NotPositiveDefinite)
 }
 
 /// The energy as a function of arbitrary vectors, of which only the directions count. Steps therefore need not stay on

@@ -9,10 +9,10 @@ use crate::pair::problem::Coarse;
 use homolog_contract::parameters::DisplacementMode;
 use homolog_contract::result::PoseDocument;
 use homolog_geometry::curvature::vertex_areas;
-use homolog_geometry::hierarchy::coarsen;
+use homolog_geometry::hierarchy::coarsen_observed;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_methods::{Frame, MethodError, bcpd, cpd, diffeomorphic, functional_map, medial, nonrigid_icp, spharm};
-use homolog_primitives::observe::Observer;
+use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -56,9 +56,9 @@ pub(crate) fn by_method(
     let (Some(frame), Ok(posed)) = (Frame::of(target), source.moved(&pose.matrix())) else { return Ok(None) };
     let entered = |mesh: &SurfaceMesh| mesh.with_vertices(mesh.vertices().iter().map(|p| frame.enter(p)).collect());
     let (Ok(whole), Ok(onto)) = (entered(&posed), entered(target)) else { return Ok(None) };
-    let (Some(thin), Some(onto)) = rayon::join(|| thinned(whole.clone(), most), || thinned(onto, most)) else {
-        return Ok(None);
-    };
+    let thinned = |mesh: SurfaceMesh| thinned(mesh, most, scene.observer);
+    let (thin, onto) = rayon::join(|| thinned(whole.clone()), || thinned(onto));
+    let (Some(thin), Some(onto)) = (thin?, onto?) else { return Ok(None) };
     let found = match moved(mode, &thin, &onto, &whole, scene.observer) {
         Ok(found) => found,
         Err(MethodError::Singular { .. }) => return Ok(None),
@@ -72,9 +72,12 @@ pub(crate) fn by_method(
     Ok(Some(answered(coarse, pose, poses, moved)))
 }
 
-/// `mesh`, or a coarse version of about `most` vertices if it has more. `None` if there is no coarse version.
-fn thinned(mesh: SurfaceMesh, most: usize) -> Option<SurfaceMesh> {
-    if mesh.n_vertices() <= most { Some(mesh) } else { coarsen(&mesh, most).map(|coarse| coarse.mesh) }
+/// `mesh`, or a coarse version of it of about `most` vertices. `None` if it has more and no coarse version.
+fn thinned(mesh: SurfaceMesh, most: usize, observer: &dyn Observer) -> Result<Option<SurfaceMesh>, Cancelled> {
+    if mesh.n_vertices() <= most {
+        return Ok(Some(mesh));
+    }
+    Ok(coarsen_observed(&mesh, most, observer)?.map(|coarse| coarse.mesh))
 }
 
 /// The vertices of `whole` moved by the map of `source`, a thinned version of it, to `target`.

@@ -17,7 +17,7 @@ use crate::surface::levels::Levels;
 use crate::surface::moments::AreaMoments;
 use crate::thesis::coarse::coarse;
 use homolog_contract::parameters::MatchParameters;
-use homolog_mesh::SurfaceMesh;
+use homolog_mesh::{Numbering, SurfaceMesh};
 use homolog_primitives::observe::Observer;
 use homolog_registration::RigidTransform;
 use nalgebra::{Point3, Vector3};
@@ -56,7 +56,8 @@ pub(crate) fn resized(
     let Ok(scaled) = mesh.with_vertices(mesh.vertices().iter().map(|p| p * factor).collect()) else {
         return Ok(found);
     };
-    let levels = Levels::new(&scaled, parameters.inference.coarse_vertices);
+    let numbering = Numbering::identity(scaled.n_vertices());
+    let levels = Levels::observed(&scaled, &numbering, parameters.inference.coarse_vertices, observer)?;
     let mut parameters = parameters.clone();
     for landmark in &mut parameters.landmarks {
         landmark.source_mm = landmark.source_mm.map(|x| x * factor);

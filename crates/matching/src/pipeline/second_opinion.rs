@@ -16,7 +16,7 @@ use crate::surface::levels::Levels;
 use crate::thesis::coarse::coarse;
 use homolog_contract::parameters::{DisplacementMode, MatchParameters, Method, preset};
 use homolog_contract::result::{SecondOpinionDocument, UNRELIABLE_CONFIDENCE, UnreliableReason};
-use homolog_mesh::SurfaceMesh;
+use homolog_mesh::{Numbering, SurfaceMesh};
 use homolog_primitives::observe::Observer;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
@@ -44,8 +44,13 @@ pub(crate) fn with_second_opinion(
         return Ok(answer);
     }
     let parameters = of_default_method(parameters);
-    let levels = |levels: &Levels| Levels::new(levels.full.mesh(), parameters.inference.coarse_vertices);
+    let levels = |levels: &Levels| {
+        let mesh = levels.full.mesh();
+        let numbering = Numbering::identity(mesh.n_vertices());
+        Levels::observed(mesh, &numbering, parameters.inference.coarse_vertices, observer)
+    };
     let (from, onto) = rayon::join(|| levels(source), || levels(target));
+    let (from, onto) = (from?, onto?);
     let other = match by_default_method(&from, &onto, &parameters, &Unseen(observer)) {
         Err(MatchError::NoRegistration { .. }) => return Ok(answer),
         other => other?,

@@ -4,6 +4,7 @@ use super::form::BendingInvariantForm;
 use super::side::Side;
 use super::sites::Sites;
 use homolog_mesh::{Numbering, SurfaceMesh};
+use homolog_primitives::observe::{Cancelled, Observer, Silent};
 use std::sync::{Arc, OnceLock};
 
 /// Number of vertices above which a field is fitted on a level of [`MIDDLE_VERTICES`]. The field has about forty
@@ -45,19 +46,36 @@ impl Levels {
     /// # Cost
     /// `O(n log n)`, and `O(n · 3000)` above 5,000 vertices, on one thread.
     pub fn numbered(mesh: &SurfaceMesh, numbering: &Numbering, coarse_vertices: Option<u32>) -> Self {
+        match Levels::observed(mesh, numbering, coarse_vertices, &Silent) {
+            Ok(levels) => levels,
+            Err(Cancelled) => unreachable!("nobody asks to stop"),
+        }
+    }
+
+    /// [`Levels::numbered`], which stops when `observer` asks.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn observed(
+        mesh: &SurfaceMesh,
+        numbering: &Numbering,
+        coarse_vertices: Option<u32>,
+        observer: &dyn Observer,
+    ) -> Result<Self, Cancelled> {
         let full = Arc::new(Side::numbered(mesh, numbering));
         let n = full.mesh().n_vertices();
         let mut cells: Vec<u32> = (0..n as u32).collect();
         // Without a coarse level the energy has all vertices as variables, so there is no middle level either.
         let wanted = coarse_vertices.is_some() && n > MIDDLE_ABOVE;
-        let middle = match wanted.then(|| Side::coarser(&full, MIDDLE_VERTICES, false)).flatten() {
+        let coarser = if wanted { Side::coarser(&full, MIDDLE_VERTICES, false, observer)? } else { None };
+        let middle = match coarser {
             Some((side, of_full)) => {
                 cells = of_full;
                 Arc::new(side)
             }
             None => Arc::clone(&full),
         };
-        Levels { full, middle, cells_of_middle: cells, coarse_vertices, energy: OnceLock::new() }
+        Ok(Levels { full, middle, cells_of_middle: cells, coarse_vertices, energy: OnceLock::new() })
     }
 
     /// Number of vertices on which features of a surface of `n` vertices are measured.
@@ -84,16 +102,33 @@ impl Levels {
 
     /// The level on which an energy is minimized, built on first use.
     pub(crate) fn energy(&self) -> &EnergyLevel {
-        self.energy.get_or_init(|| {
-            let n_sites = self.coarse_vertices.map(|n| n as usize);
-            match n_sites.and_then(|n_sites| Side::coarser(&self.middle, n_sites, true)) {
-                Some((side, of_middle)) => {
-                    let cells = self.cells_of_middle.iter().map(|&k| of_middle[k as usize]).collect();
-                    EnergyLevel { side: Arc::new(side), cells }
-                }
-                None => EnergyLevel { side: Arc::clone(&self.middle), cells: self.cells_of_middle.clone() },
+        match self.energy_observed(&Silent) {
+            Ok(level) => level,
+            Err(Cancelled) => unreachable!("nobody asks to stop"),
+        }
+    }
+
+    /// [`Levels::energy`], which stops when `observer` asks.
+    ///
+    /// # Errors
+    /// [`Cancelled`]; a later call makes the level.
+    pub(crate) fn energy_observed(&self, observer: &dyn Observer) -> Result<&EnergyLevel, Cancelled> {
+        if let Some(level) = self.energy.get() {
+            return Ok(level);
+        }
+        let n_sites = self.coarse_vertices.map(|n| n as usize);
+        let coarser = match n_sites {
+            Some(n_sites) => Side::coarser(&self.middle, n_sites, true, observer)?,
+            None => None,
+        };
+        // Of two matches that make it at the same time, both make the same.
+        Ok(self.energy.get_or_init(|| match coarser {
+            Some((side, of_middle)) => {
+                let cells = self.cells_of_middle.iter().map(|&k| of_middle[k as usize]).collect();
+                EnergyLevel { side: Arc::new(side), cells }
             }
-        })
+            None => EnergyLevel { side: Arc::clone(&self.middle), cells: self.cells_of_middle.clone() },
+        }))
     }
 
     /// The surface whose vertices are the variables or labels of the energy, mm.

@@ -5,8 +5,9 @@ use super::light_smoothing::lightly_smoothed;
 use super::sites::Sites;
 use super::surface_index::SurfaceIndex;
 use homolog_geometry::curvature::{default_radius_mm, vertex_areas};
-use homolog_geometry::hierarchy::{CoarseSurface, coarsen};
+use homolog_geometry::hierarchy::{CoarseSurface, coarsen_observed};
 use homolog_mesh::{CanonicalMesh, Numbering, SurfaceMesh, canonicalize};
+use homolog_primitives::observe::{Cancelled, Observer};
 use nalgebra::Vector3;
 use std::mem::size_of;
 use std::sync::{Arc, OnceLock};
@@ -73,16 +74,25 @@ impl Side {
         }
     }
 
-    /// A coarser level of `finer` with about `n_sites` vertices, and for every vertex of `finer` its vertex there.
-    /// `None` if `finer` has no more vertices than that. If `inherits`, features are measured on `finer`.
-    pub(crate) fn coarser(finer: &Arc<Side>, n_sites: usize, inherits: bool) -> Option<(Side, Vec<u32>)> {
-        let CoarseSurface { mesh, sites, cells } = coarsen(finer.mesh(), n_sites)?;
+    /// A coarser level of `finer` of about `n_sites` vertices, and for every vertex of `finer` the one it belongs to.
+    /// `None` where `finer` is that coarse already. If `inherits`, features are measured on `finer`.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub(crate) fn coarser(
+        finer: &Arc<Side>,
+        n_sites: usize,
+        inherits: bool,
+        observer: &dyn Observer,
+    ) -> Result<Option<(Side, Vec<u32>)>, Cancelled> {
+        let Some(coarse) = coarsen_observed(finer.mesh(), n_sites, observer)? else { return Ok(None) };
+        let CoarseSurface { mesh, sites, cells } = coarse;
         let numbering = finer.surface.numbering.select(&sites);
         let normals = mesh.vertex_normals();
         let measured_on = inherits.then(|| (Arc::clone(finer), sites));
         let surface = CanonicalMesh { mesh, numbering };
         let (root_mm, is_open) = (finer.root_mm, finer.is_open);
-        Some((
+        Ok(Some((
             Side {
                 surface,
                 normals,
@@ -95,7 +105,7 @@ impl Side {
                 sites: OnceLock::new(),
             },
             cells,
-        ))
+        )))
     }
 
     pub(crate) fn mesh(&self) -> &SurfaceMesh {

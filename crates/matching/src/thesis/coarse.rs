@@ -26,8 +26,9 @@ pub(crate) fn coarse<'a>(
     let (full, model) = rayon::join(
         || Scene::new(&source.full, &target.full, parameters, observer),
         || {
-            let (source, target) = rayon::join(|| source.energy(), || target.energy());
-            build_model(&source.side, &target.side, parameters, observer)
+            let (source, target) =
+                rayon::join(|| source.energy_observed(observer), || target.energy_observed(observer));
+            build_model(&source?.side, &target?.side, parameters, observer)
         },
     );
     let model = model?;

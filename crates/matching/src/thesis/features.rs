@@ -97,7 +97,9 @@ fn measured(
         }
         checkpoint_within(observer)?;
         let flow = flow.get_or_init(|| ScaleSpace::new(side.mesh()));
+        checkpoint_within(observer)?;
         let surface = flow.smoothed(scale_mm).map_err(|_| MatchError::ScaleSpace { scale_mm })?;
+        checkpoint_within(observer)?;
         let both = curvatures(&surface, estimator, observer)?;
         known.push((scale_mm, estimator, both.clone()));
         Ok(both)

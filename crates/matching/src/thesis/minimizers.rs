@@ -14,7 +14,7 @@ use homolog_mrf::inference::{
     local_confidence,
 };
 use homolog_mrf::{Labeling, MrfModel};
-use homolog_primitives::observe::{Cancelled, Phase, Quantity, TracePoint};
+use homolog_primitives::observe::{Cancelled, Observer, Phase, Quantity, TracePoint};
 use rayon::prelude::*;
 
 /// Smallest value of a message. It is far below `exp(−T)` at the default truncation, and only keeps products finite.
@@ -27,18 +27,19 @@ const PROGRESS_TOLERANCE: f64 = 1e-5;
 /// An annealer is frozen when no label has changed for this number of sweeps.
 const FROZEN_SWEEPS: u32 = 20;
 
-/// The minimizer that `parameters` ask for. `lower_bound` is a target for minimizers that use one.
+/// The minimizer that `parameters` name. `lower_bound` is a target for those that have one. `observer` is asked while it begins.
 pub(crate) fn minimizer<'a>(
     model: &'a MrfModel,
     parameters: &MatchParameters,
     lower_bound: Option<f64>,
+    observer: &'a dyn Observer,
 ) -> Box<dyn Minimizer + 'a> {
     let p = &parameters.inference;
     let propagation = |product| -> Box<dyn Minimizer + 'a> {
         match p.update {
             Update::Active => Box::new(ActiveLabels::new(model, bp_options(parameters, product))),
             Update::Sparse | Update::Full => {
-                Box::new(Propagation { bp: belief_propagation(model, parameters, product) })
+                Box::new(Propagation { bp: belief_propagation(model, parameters, product, observer) })
             }
         }
     };
@@ -68,6 +69,7 @@ fn belief_propagation<'a>(
     model: &'a MrfModel,
     parameters: &MatchParameters,
     product: Product,
+    observer: &'a dyn Observer,
 ) -> BeliefPropagation<'a> {
     let p = &parameters.inference;
     let options = bp_options(parameters, product);
@@ -85,7 +87,7 @@ fn belief_propagation<'a>(
             _ => inference::MessageStorage::Single,
         },
     };
-    BeliefPropagation::with_method(model, options, method)
+    BeliefPropagation::observed(model, options, method, observer)
 }
 
 fn annealing<'a>(model: &'a MrfModel, p: &InferenceParameters, sampler: Sampler) -> SimulatedAnnealing<'a> {

@@ -105,7 +105,7 @@ impl Rounds<'_> {
         let mode = p.clamping.mode;
         let n_rounds = if mode == ClampingMode::None { 0 } else { p.clamping.max_rounds };
         let mut course = Course {
-            minimizer: minimizer(&self.problem.model, p, self.problem.lower_bound),
+            minimizer: minimizer(&self.problem.model, p, self.problem.lower_bound, self.problem.scene.observer),
             plan: Plan::new(p.inference.max_iterations, n_rounds, progress_after_rounds(p)),
             documents: Vec::new(),
         };

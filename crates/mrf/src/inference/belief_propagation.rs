@@ -20,7 +20,7 @@ use super::residual::Residual;
 use super::unary_factors::exponentiate;
 use crate::MrfModel;
 use half::f16;
-use homolog_primitives::observe::{Cancelled, Observer, checkpoint_within};
+use homolog_primitives::observe::{Cancelled, Observer, Silent, checkpoint_within};
 use nalgebra::Point3;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -40,6 +40,8 @@ pub struct BeliefPropagation<'a> {
     /// For every directed edge `i → j` the edge `j → i`.
     reverse: Vec<u32>,
     engine: Engine,
+    /// Asked while messages and unary factors are set.
+    observer: &'a dyn Observer,
 }
 
 /// The messages, and the further state of a schedule.
@@ -57,6 +59,12 @@ impl<'a> BeliefPropagation<'a> {
 
     /// Flat messages over `model` that are updated by `method`.
     pub fn with_method(model: &'a MrfModel, options: BpOptions, method: BpMethod) -> Self {
+        Self::observed(model, options, method, &Silent)
+    }
+
+    /// The same; [`Self::reset`] and [`Self::set_bias`], which this calls, leave off when `observer` asks to stop. A run with that
+    /// observer then returns [`Cancelled`] at once.
+    pub fn observed(model: &'a MrfModel, options: BpOptions, method: BpMethod, observer: &'a dyn Observer) -> Self {
         let graph = &model.variables;
         let stride = stride(model.n_labels());
         let (beta, scale) = (model.pairwise.beta, model.pairwise.length_scale);
@@ -79,6 +87,7 @@ impl<'a> BeliefPropagation<'a> {
             phi: vec![0.0; model.n_variables() * stride],
             reverse: graph.reverse_edges(),
             engine,
+            observer,
             model,
         };
         this.reset();
@@ -92,10 +101,15 @@ impl<'a> BeliefPropagation<'a> {
         let mut flat = vec![self.options.floor; self.stride];
         flat[..self.model.n_labels()].fill(1.0);
         match &mut self.engine {
-            Engine::Flooding(flooding) => flooding.fill(&flat),
-            Engine::HalfFlooding(flooding) => flooding.fill(&flat),
+            Engine::Flooding(flooding) => flooding.fill(&flat, self.observer),
+            Engine::HalfFlooding(flooding) => flooding.fill(&flat, self.observer),
             Engine::Residual { messages, .. } => {
-                messages.chunks_exact_mut(self.stride.max(1)).for_each(|row| row.copy_from_slice(&flat));
+                let mut rows = messages.chunks_exact_mut(self.stride.max(1));
+                let _left_off = rows.try_for_each(|row| {
+                    checkpoint_within(self.observer)?;
+                    row.copy_from_slice(&flat);
+                    Ok::<_, Cancelled>(())
+                });
             }
         }
     }
@@ -105,16 +119,18 @@ impl<'a> BeliefPropagation<'a> {
     pub fn set_bias(&mut self, add: impl Fn(usize, &mut [f32]) + Sync) {
         let n = self.model.n_labels();
         let model = self.model;
-        let (order, product) = (&self.order, self.options.product);
-        self.phi.par_chunks_mut(self.stride.max(1)).enumerate().for_each_init(
+        let (order, product, observer) = (&self.order, self.options.product, self.observer);
+        let _left_off = self.phi.par_chunks_mut(self.stride.max(1)).enumerate().try_for_each_init(
             || vec![0.0; n],
             |potential, (i, row)| {
+                checkpoint_within(observer)?;
                 potential.copy_from_slice(model.unary_row(i));
                 add(i, potential);
                 exponentiate(potential, product);
                 for (value, &label) in row.iter_mut().zip(order.labels()) {
                     *value = potential[label as usize];
                 }
+                Ok::<_, Cancelled>(())
             },
         );
     }
@@ -131,6 +147,8 @@ impl<'a> BeliefPropagation<'a> {
         observer: &dyn Observer,
         on_iteration: impl FnMut(&BpIteration),
     ) -> Result<BpOutcome, Cancelled> {
+        // What was left off must not be run.
+        checkpoint_within(self.observer)?;
         let kernel = Kernel {
             model: self.model,
             options: self.options,

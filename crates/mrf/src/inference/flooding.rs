@@ -66,9 +66,9 @@ impl<M: MessageValue> Flooding<M> {
         self.messages.message(edge)
     }
 
-    /// Sets every message to `message`.
-    pub(super) fn fill(&mut self, message: &[f32]) {
-        self.messages.fill(message);
+    /// Sets every message to `message`, unless `observer` asks to stop meanwhile.
+    pub(super) fn fill(&mut self, message: &[f32], observer: &dyn Observer) {
+        self.messages.fill(message, observer);
     }
 
     /// Runs like [`super::BeliefPropagation::run`].

@@ -9,6 +9,7 @@
 use super::block_plan::{BLOCK_LANES, BlockPlan};
 use super::lanes::LINE_BYTES;
 use super::message_value::MessageValue;
+use homolog_primitives::observe::Observer;
 use std::ops::Range;
 
 /// Blocks per batch, after which old blocks are released: enough to keep many cores busy, few compared with the
@@ -88,10 +89,13 @@ impl<M: MessageValue> MessageStore<M> {
         &self.values[start..start + self.stride]
     }
 
-    /// Sets every message to `message`.
-    pub(super) fn fill(&mut self, message: &[f32]) {
+    /// Sets every message to `message`, unless `observer`, who is asked at each, wants it to stop.
+    pub(super) fn fill(&mut self, message: &[f32], observer: &dyn Observer) {
         let message: Vec<M> = message.iter().map(|&value| M::narrow(value.max(M::LEAST))).collect();
         for edge in 0..self.n_edges {
+            if observer.is_stopped() {
+                return;
+            }
             let start = self.start(edge);
             self.values[start..start + self.stride].copy_from_slice(&message);
         }

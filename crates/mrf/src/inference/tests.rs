@@ -188,3 +188,37 @@ fn a_cancelled_run_ends_without_an_answer() {
     let options = BpOptions { product: Product::Max, damping: 0.0, floor: 1e-5, tolerance: 0.0 };
     assert!(BeliefPropagation::new(&model, options).run(5, &Stop, |_| ()).is_err());
 }
+
+#[test]
+fn messages_that_are_not_all_set_are_never_run() {
+    use homolog_primitives::observe::Observer;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// Asks to stop after some checks; steps are not counted.
+    struct StopAfter(usize, AtomicUsize);
+    impl Observer for StopAfter {
+        fn is_cancelled(&self) -> bool {
+            panic!("the start of a run is no step")
+        }
+        fn is_stopped(&self) -> bool {
+            self.1.fetch_add(1, Ordering::Relaxed) >= self.0
+        }
+    }
+    let n = 12;
+    let edges: Vec<[u32; 2]> = (0..n as u32 - 1).map(|k| [k, k + 1]).collect();
+    let model = model(n, &edges, 5, &[0.1, 0.7, 0.3], 0.0, 3.0);
+    let options = BpOptions { product: Product::Max, damping: 0.0, floor: 1e-5, tolerance: 0.0 };
+    let residual = BpMethod { schedule: Schedule::Residual, ..BpMethod::default() };
+    let half = BpMethod { storage: MessageStorage::Half, ..BpMethod::default() };
+    for method in [BpMethod::default(), residual, half] {
+        let whole = StopAfter(usize::MAX, AtomicUsize::new(0));
+        drop(BeliefPropagation::observed(&model, options, method, &whole));
+        let asked = whole.1.load(Ordering::Relaxed);
+        assert!(asked >= n + 2 * edges.len(), "{asked} checks");
+        for checks in [0, edges.len(), asked - 1] {
+            let stopping = StopAfter(checks, AtomicUsize::new(0));
+            let mut begun = BeliefPropagation::observed(&model, options, method, &stopping);
+            assert!(begun.run(5, &Silent, |_| ()).is_err(), "after {checks} of {asked}");
+        }
+    }
+}

@@ -133,12 +133,13 @@ impl Objective for MapEnergy<'_> {
 mod tests {
     use super::*;
     use homolog_mesh::shapes::ellipsoid;
+    use homolog_primitives::observe::Silent;
 
     #[test]
     fn the_gradient_is_that_of_finite_differences() {
         let mesh = ellipsoid(Vector3::new(3.0, 2.0, 1.0), 1);
         let (edges, areas) = (WeightedEdges::new(&mesh).unwrap(), TargetAreas::new(&mesh));
-        let factor = preconditioner(&edges, &areas).unwrap();
+        let factor = preconditioner(&edges, &areas, &Silent).unwrap();
         let energy = MapEnergy { edges: &edges, areas: &areas, stretching: 0.3, factor };
         let x: Vec<f64> = mesh.vertices().iter().flat_map(|p| [p.x / 2.0, p.y / 1.8, p.z]).collect();
         let mut gradient = vec![0.0; x.len()];
@@ -159,7 +160,7 @@ mod tests {
     fn a_folded_map_has_infinite_energy() {
         let mesh = ellipsoid(Vector3::new(1.0, 1.0, 1.0), 1);
         let (edges, areas) = (WeightedEdges::new(&mesh).unwrap(), TargetAreas::new(&mesh));
-        let factor = preconditioner(&edges, &areas).unwrap();
+        let factor = preconditioner(&edges, &areas, &Silent).unwrap();
         let energy = MapEnergy { edges: &edges, areas: &areas, stretching: 0.3, factor };
         let mut x: Vec<f64> = mesh.vertices().iter().flat_map(|p| [p.x, p.y, p.z]).collect();
         let mut gradient = vec![0.0; x.len()];

@@ -182,6 +182,7 @@ impl<'a, M> OpenStore<'a, M> {
 mod tests {
     use super::*;
     use homolog_primitives::graph::EdgeGraph;
+    use homolog_primitives::observe::Silent;
     use proptest::prelude::*;
 
     proptest! {
@@ -198,7 +199,7 @@ mod tests {
             let plan = BlockPlan::new(&EdgeGraph::from_edges(400, &edges));
             let batches = Batches::new(&plan);
             let mut store = MessageStore::<f32>::new(&plan, 1, batches.n_spare);
-            store.fill(&[0.0]);
+            store.fill(&[0.0], &Silent);
             let mut made = vec![0.0; plan.blocks.len()];
             for iteration in 1..4u8 {
                 let mut open = store.open();

@@ -25,6 +25,7 @@ mod fields;
 pub mod fuzzed;
 mod head;
 mod hosts;
+mod input_wire;
 mod json_fault;
 mod long_poll;
 mod openapi;

@@ -1,8 +1,8 @@
 //! JSON documents of studies.
 
+use super::input_wire::{SubmittedInputDocument, input, maybe_input};
 use super::problem::{ProblemDocument, failure_document};
 use super::strict_json::{Parameters, SentTags, objects};
-use super::submission::{SubmittedInputDocument, input, maybe_input};
 use crate::jobs::documents::{BodySide, MatchParameters, PartialParameters};
 use crate::jobs::mesh::content_id;
 use crate::jobs::study::{DecisionVerdict, StudyQuestions, SubjectRole};

@@ -4,6 +4,7 @@ use super::jobs::job_list;
 use super::{batch_id, page};
 use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::fields::Fields;
+use crate::http::input_wire::{SubmittedInputDocument, input_or_id, maybe_input_or_id};
 use crate::http::json_fault::INPUT_SHAPE;
 use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
@@ -13,10 +14,7 @@ use crate::http::query::QueryString;
 use crate::http::router::{HttpState, IN_MEMORY};
 use crate::http::shares::Origin;
 use crate::http::strict_json::{Parameters, SentTags, objects, tags_of};
-use crate::http::submission::{
-    SentDetails, SentFiles, SubmittedInputDocument, check_details, input_or_id, maybe_input_or_id, read_with_files,
-    referred,
-};
+use crate::http::submission::{SentDetails, SentFiles, check_details, read_with_files, referred};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
 use crate::jobs::documents::PartialParameters;

@@ -338,7 +338,8 @@ mod tests {
 
     #[test]
     fn the_page_on_the_thesis_states_its_letter() {
-        let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/thesis.md")).unwrap();
+        let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/thesis.md");
+        let page = std::fs::read_to_string(page).unwrap();
         let stated = page.split("```json").nth(1).and_then(|rest| rest.split("```").next()).expect("a request");
         assert_eq!(serde_json::from_str::<Value>(stated).unwrap(), letter());
     }

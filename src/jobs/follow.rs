@@ -7,6 +7,7 @@
 
 use super::batch::{Batch, BatchId};
 use super::error::JobError;
+use super::forecast::Forecast;
 use super::job::{Job, JobId, Tenant};
 use super::ports::JobStore;
 use super::signals::{Moves, Signals};
@@ -105,6 +106,7 @@ impl<K: Eq + Hash, T> Shared<K, T> {
 /// What is followed in this process.
 pub(super) struct Feeds {
     store: Arc<dyn JobStore>,
+    forecast: Forecast,
     signals: Arc<Signals>,
     jobs: Shared<(Tenant, JobId), Seen>,
     batches: Shared<(Tenant, BatchId), Batch>,
@@ -112,19 +114,19 @@ pub(super) struct Feeds {
 }
 
 impl Feeds {
-    pub(super) fn new(store: Arc<dyn JobStore>, signals: Arc<Signals>) -> Self {
-        Feeds { store, signals, jobs: Shared::new(), batches: Shared::new(), changes: Shared::new() }
+    pub(super) fn new(store: Arc<dyn JobStore>, forecast: Forecast, signals: Arc<Signals>) -> Self {
+        Feeds { store, forecast, signals, jobs: Shared::new(), batches: Shared::new(), changes: Shared::new() }
     }
 
     pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed<Seen>>, JobError> {
         // Queried also where a feed exists, so that every follower is shown to own the job.
-        let job = self.store.get_job(tenant, id).await?;
+        let job = self.forecast.of(self.store.get_job(tenant, id).await?);
         let first = Seen { job, points: Vec::new(), complete: false, removed: false };
         let key = (tenant.clone(), id);
         Ok(self.jobs.join(key.clone(), first, |sender| {
             // Subscribes before the first query, so that no change falls between the two.
             let moves = self.signals.moves_of(id);
-            read_job(Arc::clone(&self.store), key, moves, sender)
+            read_job(Arc::clone(&self.store), self.forecast.clone(), key, moves, sender)
         }))
     }
 
@@ -150,6 +152,7 @@ impl Feeds {
 
 async fn read_job(
     store: Arc<dyn JobStore>,
+    forecast: Forecast,
     (tenant, id): (Tenant, JobId),
     mut moves: Moves,
     sender: watch::Sender<Arc<Seen>>,
@@ -158,6 +161,7 @@ async fn read_job(
     loop {
         let pause = match look(store.as_ref(), &tenant, id, last_seq).await {
             Ok((job, new_points, complete)) => {
+                let job = forecast.of(job);
                 last_seq = new_points.last().map_or(last_seq, |p| p.seq);
                 let pause = if job.state == JobState::Queued { POLL_QUEUED } else { POLL_RUNNING };
                 sender.send_if_modified(|seen| {

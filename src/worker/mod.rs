@@ -2,7 +2,7 @@
 //!
 //! A worker knows nothing of what it computes: that is up to the [`crate::jobs::Engine`], of which [`match_engine`] is the
 //! real one. Reading order: [`schedule`] (which job starts next), [`capacity`], [`machine`] and [`prediction`] (the available
-//! cores and memory, and the demand of a match), [`pool`] (claims what can start), [`execution`] (one job from its claim to
+//! cores and memory, and the demand of a match), [`price`] (the limit on its processor time), [`pool`] (claims what can start), [`execution`] (one job from its claim to
 //! its end), [`heartbeat`] (on a thread of its own, so that no computation can starve it), [`observer`] (trace and
 //! progress), [`control`] (how a computation is told to stop), [`priority`] (computing threads run at a lower priority),
 //! [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats), [`study_engine`] and
@@ -21,6 +21,7 @@ pub(crate) mod observer;
 pub(crate) mod pool;
 pub(crate) mod prediction;
 pub mod presentation;
+pub mod price;
 pub(crate) mod priority;
 pub mod quota;
 pub(crate) mod schedule;

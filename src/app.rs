@@ -627,7 +627,11 @@ pub(crate) fn open_stored(settings: &ServiceSettings) -> Result<Arc<dyn StoredBl
 /// [`AppError::Isolation`].
 pub fn engine(settings: &ServiceSettings) -> Result<Arc<dyn Engine>, AppError> {
     let Some(isolation) = settings.isolation_settings().map_err(AppError::Isolation)? else {
-        return Ok(Arc::new(MatchEngine::new(settings.intake_limits(), settings.prepared_bytes())));
+        return Ok(Arc::new(MatchEngine::priced(
+            settings.intake_limits(),
+            settings.price_limit(),
+            settings.prepared_bytes(),
+        )));
     };
     let engine = IsolatedEngine::start(isolation).map_err(AppError::Isolation)?;
     match engine.unconfined() {

@@ -12,6 +12,7 @@ use crate::tls::TlsFiles;
 use crate::worker::WorkerSettings;
 use crate::worker::isolation::{Isolation, IsolationSettings};
 use crate::worker::machine;
+use crate::worker::price::PriceLimit;
 use crate::worker::webhook_delivery::WebhookDeliverySettings;
 use homolog_run::intake::{DEFAULT_FACES, DEFAULT_INFLATION, DEFAULT_MATCH_BYTES, DEFAULT_VOXELS, IntakeLimits};
 use std::net::{SocketAddr, ToSocketAddrs as _};
@@ -144,6 +145,10 @@ pub struct ServiceSettings {
     /// Maximum number of voxels of the box around the chosen labels of a volume
     #[arg(long, env = "HOMOLOG_MAX_VOXELS", default_value_t = DEFAULT_VOXELS, value_name = "N")]
     pub max_voxels: u64,
+    /// Maximum processor time that a job may be predicted to take on all cores together, s; default: four times what --max-run-s
+    /// allows on the cores that the job gets
+    #[arg(long, env = "HOMOLOG_MAX_PROCESSOR_S", value_parser = clap::value_parser!(u64).range(1..), value_name = "S")]
+    pub max_processor_s: Option<u64>,
     /// Maximum memory that one match may be predicted to take, bytes
     #[arg(long, env = "HOMOLOG_MAX_MATCH_BYTES", default_value_t = DEFAULT_MATCH_BYTES, value_name = "BYTES")]
     pub max_match_bytes: u64,
@@ -389,6 +394,20 @@ impl ServiceSettings {
         }
     }
 
+    /// Limit on the predicted processor time of a job.
+    pub fn price_limit(&self) -> PriceLimit {
+        match self.max_processor_s {
+            Some(seconds) => PriceLimit::fixed(Duration::from_secs(seconds)),
+            None => PriceLimit::of_run(Duration::from_secs(self.max_run_s), self.cores_of_job()),
+        }
+    }
+
+    /// Most cores that a job gets here; where no job runs here, in another process, of which the same is assumed.
+    fn cores_of_job(&self) -> usize {
+        let cores = self.cores.map_or_else(machine::cores, usize::from).max(1);
+        self.workers.filter(|&slots| slots > 0).map_or(cores, |slots| (cores / slots).max(1))
+    }
+
     /// Memory for prepared surfaces that are kept for later jobs, bytes.
     pub fn prepared_bytes(&self) -> u64 {
         self.prepared_bytes.min(self.memory_for_jobs() / 4)
@@ -404,7 +423,7 @@ impl ServiceSettings {
         }
         let own = IsolationSettings::of_this_program(self.intake_limits(), self.memory_for_jobs())?;
         let at_once = self.workers.unwrap_or_else(|| self.worker_settings().cores);
-        Ok(Some(IsolationSettings { prepared_bytes: self.prepared_bytes(), at_once, ..own }))
+        Ok(Some(IsolationSettings { price: self.price_limit(), prepared_bytes: self.prepared_bytes(), at_once, ..own }))
     }
 
     /// Memory for jobs and prepared surfaces, bytes.
@@ -583,6 +602,7 @@ impl HttpSettings {
             retention: service.retention(),
             max_run: Duration::from_secs(service.max_run_s),
             max_stored_bytes: self.max_stored_bytes,
+            cores: service.cores_of_job(),
         }
     }
 }

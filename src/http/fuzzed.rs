@@ -118,6 +118,7 @@ pub fn form(bytes: &[u8]) {
         retention: Retentions::default(),
         max_run: Duration::from_secs(60),
         max_stored_bytes: None,
+        cores: 1,
     };
     let read = at_once(async {
         let (request, tap) = Tap::on(request, limits.max_body_bytes());

@@ -254,11 +254,13 @@ impl From<SubmitError> for Problem {
                     .detail(refusal.detail)
             }
             SubmitError::Batch(faults) => {
+                let is_large = faults.iter().all(|(.., refusal)| refusal.code == "too-large");
+                let kind = if is_large { ProblemKind::TooLarge } else { ProblemKind::UnsuitableBatch };
                 let errors: Vec<_> = faults
                     .into_iter()
                     .map(|(pointer, refusal)| FieldError::new(pointer, &refusal.code, refusal.detail))
                     .collect();
-                Problem::new(ProblemKind::UnsuitableBatch).errors(&errors)
+                Problem::new(kind).errors(&errors)
             }
             SubmitError::Study(faults) => {
                 let errors: Vec<_> =

@@ -56,7 +56,8 @@ pub(crate) struct JobDocument {
     /// Progress of the current attempt.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) progress: Option<Progress>,
-    /// Estimated remaining time, ms.
+    /// Estimated remaining time of the computation, ms, without the time in the queue. Of a job that waits or has just begun, a prediction
+    /// from its parameters and the sizes of its surfaces, mostly within a factor of 4 and not in lists; from 5 % of progress on, extrapolated.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) eta_ms: Option<u64>,
     /// Position among the tenant's queued jobs, 1 for its next one; only while queued, and not in lists. Tenants take turns.

@@ -1,6 +1,7 @@
-//! The predicted demand of a job for cores and memory.
+//! The predicted demand of a job for cores, memory and processor time.
 //!
-//! Predictions only decide when a job starts and on how many threads; the result is the same however wrong they are.
+//! Predictions only decide whether a job is accepted, when it starts and on how many threads; the result is the same however wrong
+//! they are.
 
 use super::job::JobId;
 use serde::Deserialize;
@@ -24,11 +25,20 @@ pub struct Demand {
     pub cores: usize,
     /// Peak memory, bytes.
     pub memory_bytes: u64,
+    /// Processor time on all cores together; zero if it cannot be predicted.
+    pub processor_time: Duration,
 }
 
 impl Demand {
     /// The demand of a job that cannot be predicted: it gets the machine for itself.
-    pub const UNKNOWN: Demand = Demand { cores: usize::MAX, memory_bytes: 0 };
+    pub const UNKNOWN: Demand = Demand { cores: usize::MAX, memory_bytes: 0, processor_time: Duration::ZERO };
+
+    /// The predicted run time where a job gets at most `most_cores`, ms; `None` if it cannot be predicted.
+    pub fn run_ms(&self, most_cores: usize) -> Option<u64> {
+        let cores = u32::try_from(self.cores.min(most_cores).max(1)).unwrap_or(u32::MAX);
+        (!self.processor_time.is_zero())
+            .then(|| u64::try_from((self.processor_time / cores).as_millis()).unwrap_or(u64::MAX))
+    }
 }
 
 /// A queued job, as far as it matters for where and when it starts.

@@ -7,6 +7,7 @@
 
 use super::batch::{Batch, BatchId};
 use super::error::JobError;
+use super::forecast::Forecast;
 use super::job::{Job, JobId, Tenant};
 use super::ports::JobStore;
 use super::signals::{Moves, Signals};
@@ -107,6 +108,7 @@ impl<K: Eq + Hash, T> Shared<K, T> {
 pub(super) struct Feeds {
     store: Arc<dyn JobStore>,
     study_store: Arc<dyn StudyStore>,
+    forecast: Forecast,
     signals: Arc<Signals>,
     jobs: Shared<(Tenant, JobId), Seen>,
     batches: Shared<(Tenant, BatchId), Batch>,
@@ -115,20 +117,25 @@ pub(super) struct Feeds {
 }
 
 impl Feeds {
-    pub(super) fn new(store: Arc<dyn JobStore>, study_store: Arc<dyn StudyStore>, signals: Arc<Signals>) -> Self {
+    pub(super) fn new(
+        store: Arc<dyn JobStore>,
+        study_store: Arc<dyn StudyStore>,
+        forecast: Forecast,
+        signals: Arc<Signals>,
+    ) -> Self {
         let (jobs, batches, studies, changes) = (Shared::new(), Shared::new(), Shared::new(), Shared::new());
-        Feeds { store, study_store, signals, jobs, batches, studies, changes }
+        Feeds { store, study_store, forecast, signals, jobs, batches, studies, changes }
     }
 
     pub(super) async fn follow(&self, tenant: &Tenant, id: JobId) -> Result<Arc<Feed<Seen>>, JobError> {
         // Queried also where a feed exists, so that every follower is shown to own the job.
-        let job = self.store.get_job(tenant, id).await?;
+        let job = self.forecast.of(self.store.get_job(tenant, id).await?);
         let first = Seen { job, points: Vec::new(), complete: false, removed: false };
         let key = (tenant.clone(), id);
         Ok(self.jobs.join(key.clone(), first, |sender| {
             // Subscribes before the first query, so that no change falls between the two.
             let moves = self.signals.moves_of(id);
-            read_job(Arc::clone(&self.store), key, moves, sender)
+            read_job(Arc::clone(&self.store), self.forecast.clone(), key, moves, sender)
         }))
     }
 
@@ -163,6 +170,7 @@ impl Feeds {
 
 async fn read_job(
     store: Arc<dyn JobStore>,
+    forecast: Forecast,
     (tenant, id): (Tenant, JobId),
     mut moves: Moves,
     sender: watch::Sender<Arc<Seen>>,
@@ -171,6 +179,7 @@ async fn read_job(
     loop {
         let pause = match look(store.as_ref(), &tenant, id, last_seq).await {
             Ok((job, new_points, complete)) => {
+                let job = forecast.of(job);
                 last_seq = new_points.last().map_or(last_seq, |p| p.seq);
                 let pause = if job.state == JobState::Queued { POLL_QUEUED } else { POLL_RUNNING };
                 sender.send_if_modified(|seen| {

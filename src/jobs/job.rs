@@ -184,6 +184,8 @@ pub struct Job {
     pub lease_epoch: u64,
     /// The worker that runs it, only while it does.
     pub worker: Option<String>,
+    /// Predicted run time, ms, while it waits or has just begun; not in lists.
+    pub expected_run_ms: Option<u64>,
     /// The database's clock when this was read.
     pub read_at: Timestamp,
 }
@@ -219,14 +221,22 @@ impl Job {
         }
     }
 
-    /// Estimated remaining time, ms, extrapolated from the progress. `None` while less than 5 % is done.
+    /// Estimated remaining time of the computation, ms: extrapolated from the progress, or predicted where less than 5 % is
+    /// done; `None` if it was predicted to end earlier. Time in the queue does not count.
     pub fn eta_ms(&self) -> Option<u64> {
-        let (progress, started) = (self.progress.as_ref()?, self.started_at?);
-        if self.state != JobState::Running || progress.fraction < 0.05 {
-            return None;
+        match self.state {
+            JobState::Queued => self.expected_run_ms,
+            JobState::Running => {
+                let elapsed = (self.read_at.as_millisecond() - self.started_at?.as_millisecond()).max(0);
+                match self.progress.as_ref().filter(|progress| progress.tells_time()) {
+                    Some(Progress { fraction, .. }) => {
+                        Some((elapsed as f64 * (1.0 - fraction) / fraction).round() as u64)
+                    }
+                    None => self.expected_run_ms?.checked_sub(elapsed.unsigned_abs()),
+                }
+            }
+            _ => None,
         }
-        let elapsed = (self.read_at.as_millisecond() - started.as_millisecond()).max(0) as f64;
-        Some((elapsed * (1.0 - progress.fraction) / progress.fraction).round() as u64)
     }
 }
 

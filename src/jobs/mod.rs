@@ -1,7 +1,7 @@
 //! Jobs: what they are, their states and who may change them, the use cases, and the ports to storage and computation.
 //!
 //! Reading order: [`state`] (the state machine), [`job`] (the record), [`lease`] (which worker runs it, fenced by an epoch),
-//! [`trace`] (progress and energy trace), [`demand`] (cores and memory), [`turns`] (of tenants), [`ports`] (storage), [`engine`] (the computation),
+//! [`trace`] (progress and energy trace), [`demand`] (cores, memory and processor time), [`turns`] (of tenants), [`ports`] (storage), [`engine`] (the computation),
 //! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`], `stored` (bytes of a tenant),
 //! [`mod@batch`], [`study`] with [`study_submission`], [`study_outline`] and [`study_progress`], [`change`], [`mesh`], [`metadata`], [`key`], [`ticket`], [`audit`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
 //!
@@ -18,6 +18,7 @@ pub mod documents;
 pub mod engine;
 pub mod error;
 pub mod follow;
+mod forecast;
 pub mod job;
 pub mod key;
 pub mod lease;

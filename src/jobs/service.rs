@@ -8,6 +8,7 @@ use super::change::ChangePage;
 use super::engine::{Engine, MethodDescription};
 use super::error::JobError;
 use super::follow::{Feed, Feeds, Seen};
+use super::forecast::Forecast;
 use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Tenant};
 use super::key::{ApiKey, KeyPage, KeyStore, Role, SecretKey};
 use super::mesh::MeshStore;
@@ -53,6 +54,8 @@ pub struct SubmissionLimits {
     pub max_run: Duration,
     /// Maximum number of bytes of a tenant's uploads and results; any number if `None`.
     pub max_stored_bytes: Option<u64>,
+    /// Most cores that a job is taken to get, for estimates of its run time.
+    pub cores: usize,
 }
 
 /// The stores of the use cases.
@@ -85,6 +88,7 @@ pub struct JobService {
     /// Wakes the workers of this process. Only makes them faster: they also poll.
     pub(super) signals: Arc<Signals>,
     feeds: Feeds,
+    pub(super) forecast: Forecast,
     recorder: Arc<Recorder>,
     pub(super) stored: StoredBytes,
 }
@@ -103,7 +107,9 @@ impl JobService {
     pub fn new(stores: Stores, engine: Arc<dyn Engine>, limits: SubmissionLimits, signals: Arc<Signals>) -> Self {
         let checks = Arc::new(Semaphore::new(limits.max_checks.max(1)));
         let presentations = Arc::new(Semaphore::new(MAX_PRESENTATIONS));
-        let feeds = Feeds::new(Arc::clone(&stores.jobs), Arc::clone(&stores.studies), Arc::clone(&signals));
+        let forecast = Forecast::new(Arc::clone(&engine), limits.cores);
+        let (jobs, studies) = (Arc::clone(&stores.jobs), Arc::clone(&stores.studies));
+        let feeds = Feeds::new(jobs, studies, forecast.clone(), Arc::clone(&signals));
         let recorder = Recorder::new(Arc::clone(&stores.audit));
         JobService {
             stores,
@@ -113,6 +119,7 @@ impl JobService {
             presentations,
             signals,
             feeds,
+            forecast,
             recorder,
             stored: StoredBytes::default(),
         }
@@ -333,7 +340,7 @@ impl JobService {
     /// # Errors
     /// [`JobError`].
     pub async fn get(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.stores.jobs.get_job(tenant, id).await
+        self.stores.jobs.get_job(tenant, id).await.map(|job| self.forecast.of(job))
     }
 
     /// A page of the list of jobs.
@@ -349,7 +356,7 @@ impl JobService {
     /// # Errors
     /// [`JobError::AlreadyFinal`] if it has ended otherwise.
     pub async fn cancel(&self, tenant: &Tenant, id: JobId) -> Result<Job, JobError> {
-        self.stores.jobs.cancel_job(tenant, id).await
+        self.stores.jobs.cancel_job(tenant, id).await.map(|job| self.forecast.of(job))
     }
 
     /// Sets the priority of a job that has not ended.
@@ -357,7 +364,7 @@ impl JobService {
     /// # Errors
     /// [`JobError::AlreadyFinal`] if it has.
     pub async fn set_priority(&self, tenant: &Tenant, id: JobId, priority: i32) -> Result<Job, JobError> {
-        self.stores.jobs.set_priority(tenant, id, priority).await
+        self.stores.jobs.set_priority(tenant, id, priority).await.map(|job| self.forecast.of(job))
     }
 
     /// Deletes a finished job with its trace, and its blobs unless other jobs refer to them.

@@ -254,7 +254,7 @@ impl JobService {
         let once = submission.idempotency_key.as_ref().map(|key| self.once(&tenant, key, fingerprint(&submission)));
         if let Some(made) = self.begin_once(once.as_ref()).await? {
             let Made::Job(id) = made else { return Err(SubmitError::OtherRequest) };
-            let made = self.stores.jobs.get_job(&tenant, id).await?.as_accepted();
+            let made = self.forecast.of(self.stores.jobs.get_job(&tenant, id).await?.as_accepted());
             return Ok(Accepted { made, replayed: true });
         }
         let done = self.keeping(once.as_ref(), self.submit_once(submission, once.clone())).await;
@@ -534,7 +534,7 @@ impl JobService {
             self.stores.jobs.insert_job(&job, &admission).await
         };
         let stored = stored.await;
-        self.after_storing(&holder, stored).await
+        self.after_storing(&holder, stored).await.map(|job| self.forecast.of(job))
     }
 
     /// Wakes workers if the submission was stored; releases its hold if it was not.

@@ -35,6 +35,13 @@ pub struct Progress {
     pub energy_latest: Option<f64>,
 }
 
+impl Progress {
+    /// Whether enough is done to extrapolate the rest.
+    pub fn tells_time(&self) -> bool {
+        self.fraction >= 0.05
+    }
+}
+
 /// What is stored at once: the points since the last chunk, and the progress.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceChunk {

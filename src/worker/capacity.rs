@@ -57,11 +57,11 @@ mod tests {
     fn by_prediction_a_job_gets_its_demand_up_to_the_whole_capacity() {
         let eight = capacity(8, None);
         for (wanted, given) in [(0, 1), (1, 1), (3, 3), (8, 8), (100, 8), (usize::MAX, 8)] {
-            let need = eight.need(Demand { cores: wanted, memory_bytes: 10 });
+            let need = eight.need(Demand { cores: wanted, memory_bytes: 10, ..Demand::UNKNOWN });
             assert_eq!((need.cores, eight.n_threads(need, false)), (given, given));
             assert_eq!(eight.n_threads(need, true), 8, "a job that is alone gets all cores");
         }
-        assert_eq!(eight.need(Demand { cores: 1, memory_bytes: 5_000 }).memory_bytes, 1_000);
+        assert_eq!(eight.need(Demand { cores: 1, memory_bytes: 5_000, ..Demand::UNKNOWN }).memory_bytes, 1_000);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`];
 //! `study_engine` connects them with `homolog_study`.
 
+use super::price::PriceLimit;
 use super::study_engine::{self, StudyStep};
 use super::{prediction, presentation};
 use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
@@ -33,6 +34,7 @@ pub struct MatchEngine {
 #[derive(Debug)]
 struct Shared {
     limits: IntakeLimits,
+    price: PriceLimit,
     surfaces: SurfaceCache,
 }
 
@@ -46,7 +48,12 @@ struct Match {
 impl MatchEngine {
     /// An engine with these limits on inputs, which keeps up to `prepared_bytes` of prepared surfaces for later matches.
     pub fn new(limits: IntakeLimits, prepared_bytes: u64) -> Self {
-        MatchEngine { shared: Arc::new(Shared { limits, surfaces: SurfaceCache::new(prepared_bytes) }) }
+        MatchEngine::priced(limits, PriceLimit::NONE, prepared_bytes)
+    }
+
+    /// The same, which refuses what is predicted to cost more processor time than `price` allows.
+    pub fn priced(limits: IntakeLimits, price: PriceLimit, prepared_bytes: u64) -> Self {
+        MatchEngine { shared: Arc::new(Shared { limits, price, surfaces: SurfaceCache::new(prepared_bytes) }) }
     }
 
     fn computation(&self, parameters: MatchParameters) -> Arc<dyn Computation> {
@@ -118,7 +125,7 @@ impl Engine for MatchEngine {
     }
 
     fn check_study_size(&self, study: &StudyDefinition) -> Result<(), InputRefusal> {
-        study_engine::check_size(study, &self.shared.limits)
+        study_engine::check_size(study, &self.shared.limits, &self.shared.price)
     }
 
     fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
@@ -159,14 +166,15 @@ impl Computation for Match {
     }
 
     fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {
-        let source = (source.n_vertices as usize, source.n_faces as usize);
-        let checked = check_size(source, target.n_vertices as usize, &self.parameters, &self.shared.limits);
-        checked.map_err(|error| InputRefusal {
-            code: "too-large".to_owned(),
-            detail: error.to_string(),
-            topology: None,
-            place_mm: None,
-        })
+        let refusal = |detail| InputRefusal { code: "too-large".to_owned(), detail, topology: None, place_mm: None };
+        let vertices = (source.n_vertices as usize, source.n_faces as usize);
+        check_size(vertices, target.n_vertices as usize, &self.parameters, &self.shared.limits)
+            .map_err(|error| refusal(error.to_string()))?;
+        let size = |input: &InputSummary| SurfaceSize { n_vertices: input.n_vertices, n_faces: input.n_faces };
+        self.shared
+            .price
+            .check(&self.demand(size(source), size(target)))
+            .map_err(|over| refusal(prediction::too_dear(&self.parameters, size(source), size(target), over)))
     }
 
     fn demand(&self, source: SurfaceSize, target: SurfaceSize) -> Demand {
@@ -178,7 +186,7 @@ impl Computation for Match {
             (inputs.source_hint.as_deref().map(file_name), inputs.target_hint.as_deref().map(file_name));
         let source = InputFile { bytes: &inputs.source, name: source_name.as_deref() };
         let target = InputFile { bytes: &inputs.target, name: target_name.as_deref() };
-        let Shared { limits, surfaces } = self.shared.as_ref();
+        let Shared { limits, surfaces, .. } = self.shared.as_ref();
         let output = run_match_with(surfaces, source, target, &self.parameters, limits, observer);
         let output = output.map_err(compute_error)?;
         let record = matches!(inputs.purpose, Purpose::Record).then(|| Record::of(&output).to_bytes());

@@ -2,7 +2,7 @@
 //!
 //! A worker does not know what it computes: the [`crate::jobs::Engine`] does; in production it is [`match_engine`].
 //! Reading order: [`schedule`] (which job starts next), [`capacity`], [`machine`] and [`prediction`] (the available
-//! cores and memory, and the demand of a match), [`pool`] (claims jobs that can start), [`execution`] (one job from its
+//! cores and memory, and the demand of a match), [`price`] (the limit on its processor time), [`pool`] (claims jobs that can start), [`execution`] (one job from its
 //! claim to its end), [`heartbeat`] (on its own thread, so that no computation can starve it), [`observer`] (trace and
 //! progress), [`control`] (how a computation is told to stop), [`priority`] (computing threads run at a lower
 //! priority), [`quota`] (when a process exits by itself), [`presentation`] (results in other file formats),
@@ -21,6 +21,7 @@ pub(crate) mod observer;
 pub(crate) mod pool;
 pub(crate) mod prediction;
 pub mod presentation;
+pub mod price;
 pub(crate) mod priority;
 pub mod quota;
 pub(crate) mod schedule;

@@ -152,7 +152,7 @@ impl Known {
     fn new(engine: &dyn Engine, job: &WaitingJob) -> Self {
         let computation = engine.restore(&job.parameters);
         // A job whose parameters this version does not accept fails as soon as it starts.
-        let failing = Demand { cores: 1, memory_bytes: 0 };
+        let failing = Demand { cores: 1, ..Demand::UNKNOWN };
         let demand = computation.as_ref().map_or(failing, |known| known.demand(job.source, job.target));
         Known { computation, demand }
     }

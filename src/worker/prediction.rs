@@ -1,8 +1,11 @@
-//! The predicted demand of a match: cores by method and sizes of the surfaces, memory as `matching` counts it.
+//! The predicted demand of a match: cores by method and sizes of the surfaces, memory as `matching` counts it, processor time by the
+//! counts of its stages.
 
+use super::price::Exceeded;
 use crate::jobs::{Demand, SurfaceSize};
 use homolog_contract::parameters::{Algorithm, DisplacementMode, MatchParameters};
 use homolog_run::match_memory_bytes;
+use homolog_study::price::{Price, match_price};
 
 /// A match gets one core for this many vertices, counted as the geometric mean of its two surfaces.
 ///
@@ -25,7 +28,22 @@ pub(crate) fn predict(parameters: &MatchParameters, source: SurfaceSize, target:
         _ if parameters.inference.coarse_vertices.is_some() => ((size / VERTICES_PER_CORE_COARSE) as usize).max(1),
         _ => ((size / VERTICES_PER_CORE) as usize).max(1),
     };
-    Demand { cores, memory_bytes }
+    Demand { cores, memory_bytes, processor_time: price(parameters, source, target).processor_time }
+}
+
+fn price(parameters: &MatchParameters, source: SurfaceSize, target: SurfaceSize) -> Price {
+    match_price(parameters, (source.n_vertices as usize, source.n_faces as usize), target.n_vertices as usize)
+}
+
+/// Why a match is refused that costs too much: the numbers, and what to change.
+pub(crate) fn too_dear(
+    parameters: &MatchParameters,
+    source: SurfaceSize,
+    target: SurfaceSize,
+    exceeded: Exceeded,
+) -> String {
+    let what = format!("a match of {} to {} vertices with these parameters", source.n_vertices, target.n_vertices);
+    exceeded.said_of(&what, price(parameters, source, target).advice)
 }
 
 #[cfg(test)]

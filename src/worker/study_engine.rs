@@ -5,6 +5,8 @@
 
 use super::machine;
 use super::match_engine::file_name;
+use super::prediction;
+use super::price::PriceLimit;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{
     DecisionVerdict, PlannedMatch, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, SubjectRole, blob,
@@ -28,6 +30,7 @@ use homolog_study::memory::{measures, permutations, step_bytes, tests};
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
+use homolog_study::price::step_price;
 use homolog_study::record::Record;
 use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use homolog_study::sides::template_side;
@@ -64,11 +67,16 @@ impl StudyStep {
     }
 }
 
-/// Refuses a study whose largest match or whose steps would take more memory than `limits` allow, or whose tests would take hours.
+/// Refuses a study whose largest match or whose steps would take more memory than `limits` allow or more processor time than `price`
+/// does, or whose tests would take hours.
 ///
 /// # Errors
 /// `too-large`, with the numbers.
-pub(super) fn check_size(definition: &StudyDefinition, limits: &IntakeLimits) -> Result<(), InputRefusal> {
+pub(super) fn check_size(
+    definition: &StudyDefinition,
+    limits: &IntakeLimits,
+    price: &PriceLimit,
+) -> Result<(), InputRefusal> {
     let refusal =
         |detail: String| InputRefusal { code: "too-large".to_owned(), detail, topology: None, place_mm: None };
     let size = definition.size();
@@ -87,6 +95,13 @@ pub(super) fn check_size(definition: &StudyDefinition, limits: &IntakeLimits) ->
              {needed} bytes, which exceeds the limit of {limit}; a smaller template or fewer contrasts take less"
         )));
     }
+    price.check(&demand_of(&size)).map_err(|exceeded| {
+        let what = format!(
+            "{subjects} subjects with a template of {vertices} vertices, {measures} measures, {contrasts} contrasts and {permutations} \
+             permutations"
+        );
+        refusal(exceeded.said_of(&what, step_price(&size).advice))
+    })?;
     let parameters = parameters_of(definition).map_err(|error| refusal(error.to_string()))?;
     let (Some(template), Some(largest)) = (definition.template_input(), definition.largest_input()) else {
         return Ok(());
@@ -99,6 +114,12 @@ pub(super) fn check_size(definition: &StudyDefinition, limits: &IntakeLimits) ->
     for (source, target) in pairs {
         let checked = homolog_run::check_size(vertices(source), vertices(target).0, &parameters, limits);
         checked.map_err(|error| refusal(format!("the largest match of the study: {error}")))?;
+        let size = |input: &JobInput| SurfaceSize { n_vertices: input.n_vertices, n_faces: input.n_faces };
+        let demand = prediction::predict(&parameters, size(source), size(target));
+        price.check(&demand).map_err(|exceeded| {
+            let said = prediction::too_dear(&parameters, size(source), size(target), exceeded);
+            refusal(format!("the largest match of the study: {said}"))
+        })?;
     }
     Ok(())
 }
@@ -106,6 +127,15 @@ pub(super) fn check_size(definition: &StudyDefinition, limits: &IntakeLimits) ->
 /// Threads that a step may have: a job that is alone on a large machine gets every core.
 fn cores() -> usize {
     CORES.max(machine::cores())
+}
+
+/// The demand of the largest step of a study.
+fn demand_of(size: &StudySize) -> Demand {
+    Demand {
+        cores: usize::try_from(size.subjects).unwrap_or(CORES).clamp(1, CORES),
+        memory_bytes: step_bytes(size, cores()).saturating_add(BESIDES),
+        processor_time: step_price(size).processor_time,
+    }
 }
 
 impl Computation for StudyStep {
@@ -127,9 +157,7 @@ impl Computation for StudyStep {
             contrasts: 1,
             ..StudySize::default()
         };
-        let size = self.size.unwrap_or_else(of_surfaces);
-        let memory_bytes = step_bytes(&size, cores()).saturating_add(BESIDES);
-        Demand { cores: (target.n_vertices as usize).clamp(1, CORES), memory_bytes }
+        demand_of(&self.size.unwrap_or_else(of_surfaces))
     }
 
     fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {

@@ -177,6 +177,27 @@ async fn a_queued_job_has_its_queue_position() {
 }
 
 #[tokio::test]
+async fn a_job_that_waits_or_has_just_begun_shows_its_predicted_time() {
+    let service = TestService::start(&["--workers", "0", "--cores", "2"]).await;
+    let accepted: Value =
+        service.send(form("a", "b", &json!({"processor_ms": 90_000, "cores": 8}))).await.json().await.unwrap();
+    assert_eq!(accepted["eta_ms"], 45_000, "on the cores that it gets: {accepted}");
+    let id = accepted["id"].as_str().unwrap();
+    assert_eq!(service.json(&format!("/v1/jobs/{id}")).await["eta_ms"], 45_000);
+    assert!(service.json("/v1/jobs").await["jobs"][0].get("eta_ms").is_none(), "not in lists");
+    let unknown = service.submit(json!({})).await;
+    assert!(service.json(&format!("/v1/jobs/{unknown}")).await.get("eta_ms").is_none());
+    service.end().await;
+
+    let service = TestService::start(&["--workers", "1", "--cores", "1"]).await;
+    let id = service.submit(json!({"processor_ms": 3_600_000, "points": 100, "step_ms": 10_000})).await;
+    let job = service.until(&id, |job| job["state"] == "running").await;
+    let eta_ms = job["eta_ms"].as_u64().unwrap();
+    assert!((1_800_000..=3_600_000).contains(&eta_ms), "{job}");
+    service.end().await;
+}
+
+#[tokio::test]
 async fn cancel_reaches_queued_running_and_finished_jobs() {
     let service = TestService::start(&[]).await;
     let running = service.submit(json!({"points": 1000, "step_ms": 20})).await;

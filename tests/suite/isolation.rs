@@ -398,7 +398,7 @@ impl Computation for Understated {
     }
 
     fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {
-        Demand { cores: 1, memory_bytes: 1 }
+        Demand { cores: 1, memory_bytes: 1, ..Demand::UNKNOWN }
     }
 
     fn compute(

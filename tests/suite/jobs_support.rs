@@ -18,8 +18,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
-/// Numbers that a job's parameters may set: points of the trace, ms between them, and switches (not 0 = on).
-const KEYS: [&str; 10] = ["points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed", "cores", "energy"];
+/// Numbers that a job's parameters may set: the predicted processor time, points of the trace, ms between them, and switches (not 0 = on).
+const KEYS: [&str; 11] =
+    ["processor_ms", "points", "step_ms", "fail", "panic", "abort", "deaf", "sign", "seed", "cores", "energy"];
 
 /// The verdict on the answers of the scripted engine.
 pub(crate) fn doubtful() -> Verdict {
@@ -131,8 +132,12 @@ impl Computation for Obedience {
     }
 
     fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {
-        let cores = self.numbers.get("cores");
-        cores.map_or(Demand::UNKNOWN, |&cores| Demand { cores: cores as usize, memory_bytes: 0 })
+        let number = |key| self.numbers.get(key).copied();
+        Demand {
+            cores: number("cores").map_or(Demand::UNKNOWN.cores, |cores| cores as usize),
+            processor_time: Duration::from_millis(number("processor_ms").unwrap_or(0)),
+            ..Demand::UNKNOWN
+        }
     }
 
     fn compute(&self, _: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {

@@ -546,3 +546,48 @@ fn a_study_that_does_not_fit_is_refused_like_its_pair() {
     let (status, said) = (answer.status().as_u16(), answer.text().unwrap());
     assert!(status == 413 && said.contains("8 subjects with a template of 40962 vertices"), "{status} {said}");
 }
+
+#[test]
+fn what_would_compute_too_long_is_refused_as_pair_batch_and_study() {
+    let site = Site::open(Backend::Sqlite);
+    let service = Service::start(&site, &["--auth", "none", "--workers", "0", "--max-processor-s", "3"]);
+    let mesh = homolog_mesh::shapes::ellipsoid(nalgebra::Vector3::new(12.0, 6.0, 4.0), 3);
+    let file = site.folder.path().join("mesh.ply");
+    fs::write(&file, homolog_formats::write_ply(&mesh)).unwrap();
+    let mesh = service.upload(&file);
+    let subjects: Vec<Value> = (0..8)
+        .map(|k| {
+            let group = ["a", "b"][k % 2];
+            json!({"id": format!("s{k}"), "input": {"mesh_id": mesh}, "covariates": {"group": group}})
+        })
+        .collect();
+    let forms = |parameters: Value, permutations: u32| {
+        let one = json!({"mesh_id": mesh});
+        [
+            ("/v1/jobs", json!({"source": one, "target": one, "parameters": parameters})),
+            ("/v1/batches", json!({"pairs": [{"source": mesh, "target": mesh}], "parameters": parameters})),
+            (
+                "/v1/studies",
+                json!({"subjects": subjects, "effect": "group", "permutations": permutations, "parameters": parameters}),
+            ),
+        ]
+    };
+    let refused = |path: &str, body: &Value, advice: &str| {
+        let answer = service.post(path, body);
+        let (status, said) = (answer.status().as_u16(), answer.text().unwrap());
+        assert!(status == 413 && said.contains("/problems/too-large"), "{path}: {status} {said}");
+        assert!(said.contains("s of processor time, which exceeds the limit of 3 s"), "{path}: {said}");
+        assert!(said.contains(advice), "{path}: {said}");
+    };
+    let long = json!({"method": "thesis", "inference": {"max_iterations": 100_000}});
+    for (path, body) in forms(long, 100) {
+        refused(path, &body, "fewer inference.max_iterations");
+    }
+    let [pair, batch, study] = forms(json!({}), 1_000_000);
+    refused(study.0, &study.1, "fewer permutations");
+    let [.., (path, shorter)] = forms(json!({}), 100);
+    for (path, body) in [pair, batch, (path, shorter)] {
+        let accepted = service.post(path, &body);
+        assert!(accepted.status().is_success(), "{path}: {}", accepted.text().unwrap());
+    }
+}

@@ -22,6 +22,7 @@ pub mod model;
 pub mod output;
 pub mod place;
 pub mod plan;
+pub mod price;
 pub mod quality;
 pub mod record;
 mod report;

@@ -210,11 +210,8 @@ impl ShapeModel {
             .collect();
         let kept = explaining(&variances, KEPT_VARIANCE).min(MAX_MODES);
         let distance_modes = explaining(&variances, DISTANCE_VARIANCE).clamp(1, (n / 4).max(1));
-        let folds: Vec<Vec<usize>> = if n <= LEAVE_ONE_OUT {
-            (0..n).map(|i| vec![i]).collect()
-        } else {
-            (0..FOLDS).map(|fold| (fold..n).step_by(FOLDS).collect()).collect()
-        };
+        let n_folds = n_folds(n);
+        let folds: Vec<Vec<usize>> = (0..n_folds).map(|fold| (fold..n).step_by(n_folds).collect()).collect();
         let left_out = |left: Vec<usize>| {
             checkpoint(observer)?;
             leave_out(gram.as_ref(), &left)
@@ -269,6 +266,11 @@ impl ShapeModel {
         let own = self.left_out[subject];
         self.left_out.iter().filter(|&&other| other >= own).count() as f64 / self.left_out.len() as f64
     }
+}
+
+/// Number of models of `n` subjects that are computed without some of them.
+pub(crate) fn n_folds(n: usize) -> usize {
+    if n <= LEAVE_ONE_OUT { n } else { FOLDS }
 }
 
 /// The modes, summed over subjects in their order.

@@ -176,7 +176,7 @@ pub(crate) struct BatchForm {
             ("Location" = String, description = "The batch"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
         (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "More jobs than a batch can have", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 413, description = "More jobs than a batch can have, or pairs that are too large and otherwise suitable", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 422, description = "Invalid fields, parameters or meshes, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
         (status = 429, description = "The queue has no room for all jobs", body = ProblemDocument, content_type = "application/problem+json"),

@@ -42,6 +42,7 @@ pub(super) fn job(row: &Row) -> Result<Job, JobError> {
         crashes: row.count("crashes")?,
         progress,
         queue_position: None,
+        expected_run_ms: None,
         created_at: time(row.get("created_at")?)?,
         started_at: maybe_time(row, "started_at")?,
         finished_at: maybe_time(row, "finished_at")?,

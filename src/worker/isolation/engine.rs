@@ -12,6 +12,7 @@ use crate::jobs::{
     InputRefusal, InputSummary, JobInput, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
 };
 use crate::worker::match_engine::MatchEngine;
+use crate::worker::price::PriceLimit;
 use bytes::Bytes;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_run::intake::IntakeLimits;
@@ -37,6 +38,8 @@ pub struct IsolationSettings {
     pub program: PathBuf,
     /// Limits on inputs.
     pub limits: IntakeLimits,
+    /// Limit on the predicted processor time of a computation.
+    pub price: PriceLimit,
     /// Memory for the prepared surfaces of all children together, bytes.
     pub prepared_bytes: u64,
     /// Memory for jobs, bytes. Reading a file may not take more.
@@ -62,6 +65,7 @@ impl IsolationSettings {
         Ok(IsolationSettings {
             program,
             limits,
+            price: PriceLimit::NONE,
             prepared_bytes: 0,
             memory_bytes,
             at_once: cores,
@@ -111,7 +115,8 @@ impl IsolatedEngine {
     /// # Errors
     /// If it does not start.
     pub fn start(settings: IsolationSettings) -> io::Result<Self> {
-        let IsolationSettings { program, limits, prepared_bytes, memory_bytes, at_once, cores, besides } = settings;
+        let IsolationSettings { program, limits, price, prepared_bytes, memory_bytes, at_once, cores, besides } =
+            settings;
         let at_once = at_once.max(1);
         let share = (prepared_bytes / at_once as u64).max(LEAST_PREPARED.min(prepared_bytes));
         let beginning = Beginning { version: super::child::version(), limits, prepared_bytes: share };
@@ -119,7 +124,7 @@ impl IsolatedEngine {
         let (children, confinement) = Children::start(upbringing)?;
         let most = Most { limits, budget: memory_bytes, besides };
         let shared = Arc::new(Shared { children, most, n_threads: cores });
-        Ok(IsolatedEngine { local: MatchEngine::new(limits, 0), shared, confinement })
+        Ok(IsolatedEngine { local: MatchEngine::priced(limits, price, 0), shared, confinement })
     }
 
     /// The missing confinement of children by the kernel, as a text for people; `None` if they are fully confined.

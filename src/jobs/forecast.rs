@@ -2,9 +2,13 @@
 
 use super::demand::SurfaceSize;
 use super::engine::Engine;
-use super::job::{Job, JobInput};
+use super::job::{Job, JobId, JobInput};
 use super::state::JobState;
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Jobs whose run times are kept, at most: a poll then reads no parameters again.
+const MOST_KEPT: usize = 4096;
 
 /// Predicts run times from parameters and sizes of surfaces.
 #[derive(Clone)]
@@ -12,11 +16,13 @@ pub(super) struct Forecast {
     engine: Arc<dyn Engine>,
     /// Most cores that a job gets.
     cores: usize,
+    /// Run times by job, ms; the parameters of a job never change.
+    kept: Arc<Mutex<BTreeMap<JobId, Option<u64>>>>,
 }
 
 impl Forecast {
     pub(super) fn new(engine: Arc<dyn Engine>, cores: usize) -> Self {
-        Forecast { engine, cores }
+        Forecast { engine, cores, kept: Arc::default() }
     }
 
     /// `job` with its expected run time, where nothing better is known yet. `O(parameters)`.
@@ -31,6 +37,20 @@ impl Forecast {
     }
 
     fn run_ms(&self, job: &Job) -> Option<u64> {
+        if let Some(known) = self.kept.lock().unwrap_or_else(PoisonError::into_inner).get(&job.id) {
+            return *known;
+        }
+        let predicted = self.predicted_ms(job);
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.insert(job.id, predicted);
+        if kept.len() > MOST_KEPT {
+            // Ids are ordered by time.
+            kept.pop_first();
+        }
+        predicted
+    }
+
+    fn predicted_ms(&self, job: &Job) -> Option<u64> {
         let size = |input: &JobInput| SurfaceSize { n_vertices: input.n_vertices, n_faces: input.n_faces };
         let computation = self.engine.restore(&job.parameters).ok()?;
         computation.demand(size(&job.source), size(&job.target)).run_ms(self.cores)

@@ -111,6 +111,10 @@ async fn the_parameters_of_a_queued_job_are_read_once_however_often_the_queue_is
     let large = service.submit(json!({"cores": 2, "points": 1})).await;
     // A core is free and the queue is polled every 20 ms, about 70 times while the large job has to wait.
     assert_eq!(service.until_final(&large).await["state"], "succeeded");
-    assert_eq!(service.engine.restored.load(Ordering::SeqCst), 2, "once for each job");
+    assert_eq!(
+        service.engine.restored.load(Ordering::SeqCst),
+        4,
+        "for each job once by the queue, once for its `eta_ms`"
+    );
     service.end().await;
 }

@@ -4,9 +4,9 @@
 //!
 //! `Q = Σ_mn P(m | x_n) ‖x_n − y_m − v(y_m)‖² / 2σ² + (3 N_P / 2) ln σ² + (λ/2) tr(Wᵀ G W)`
 //!
-//! and estimates `σ²` in every step. With `G = F Fᵀ`, `V = F a`, the maximization is the ridge regression `(Fᵀ diag(P
-//! 1) F + λ σ² I) a = Fᵀ (P X − diag(P 1) Y)`. It has as many unknowns as the kernel has relevant functions, instead of
-//! one per point.
+//! and estimates `σ²` in every step. With `G = F Fᵀ`, `V = F a`, the maximization is the ridge regression
+//! `(Fᵀ diag(P 1) F + λ σ² I) a = Fᵀ (P X − diag(P 1) Y)`. It has as many unknowns as the kernel has relevant functions,
+//! instead of one per point.
 //!
 //! Source: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010, section 5; the
 //! low-rank form of section 6, with Nyström's approximation in place of eigenvectors.

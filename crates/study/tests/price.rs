@@ -2,7 +2,7 @@
 //!
 //! Only ratios of one run are compared: all prices may be wrong by the speed of the machine.
 #![cfg(target_os = "linux")]
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout)]
 
 mod making;
 

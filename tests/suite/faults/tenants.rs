@@ -81,8 +81,8 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
                 let url = format!("{}{named}", node.base);
                 let mut request = other.http.request(method.to_uppercase().parse().unwrap(), url);
                 if method == "patch" {
-                    let change =
-                        if path.starts_with("/v1/jobs") { json!({"priority": 1}) } else { json!({"states": ["dead"]}) };
+                    let has_priority = path.starts_with("/v1/jobs") || path.starts_with("/v1/studies");
+                    let change = if has_priority { json!({"priority": 1}) } else { json!({"states": ["dead"]}) };
                     request = request.json(&change);
                 }
                 if method == "put" {

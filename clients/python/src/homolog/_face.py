@@ -17,9 +17,8 @@ from ._client.api.batches import get_batch, list_batch_jobs, submit_batch
 from ._client.api.jobs import cancel_job, get_job, submit_job
 from ._client.api.meshes import upload_mesh
 from ._client.api.studies import get_study, submit_study
-from ._client.models import (
-    BatchSubmissionDocument, JobDocument, MeshForm, SubjectDocument, SubmissionForm, SubmittedInputDocument, TemplateSide,
-)
+from ._client.models import BatchSubmissionDocument, JobDocument, MeshForm, StudySubmissionDocument
+from ._client.models import SubjectDocument, SubmissionForm, SubmittedInputDocument, TemplateSide
 from ._client.types import UNSET
 from ._inputs import Surface, read
 from ._match import Match, Matches, Study
@@ -160,7 +159,7 @@ def study(subjects: Mapping[str, Surface] | Iterable[Surface], covariates: Any =
     while document is None:
         asked["subjects"] = [_subject(name, mesh, rows.get(name, {})) for name, mesh in ids.items()]
         try:
-            document = service.call(submit_study, body=_Members(asked), idempotency_key=str(uuid.uuid4()))
+            document = service.call(submit_study, body=_StudyMembers(asked), idempotency_key=str(uuid.uuid4()))
         except HomologError as error:
             _leave_out(ids, refused, error, r"/subjects/(\d+)/input")
     while document.state.value not in ("finished", "failed", "cancelled"):
@@ -210,12 +209,11 @@ def _asked(parameters: Mapping[str, Any] | None, method: str | None, label: Labe
 
 def _tags(tags: Mapping[str, str] | None, labels: Mapping[str, str] | None) -> Mapping[str, str] | None:
     """The tags, also under their name up to 0.1."""
-    if labels is None:
-        return tags
-    if tags is not None:
+    if labels is not None and tags is not None:
         raise TypeError("labels is the former name of tags; give tags only")
-    warnings.warn("labels= is now tags=; the former name goes with 0.3", DeprecationWarning, stacklevel=3)
-    return labels
+    if labels is not None:
+        warnings.warn("labels= is now tags=; the former name goes with 0.3", DeprecationWarning, stacklevel=3)
+    return tags if labels is None else labels
 
 
 def _submit(service: Service, source: Surface, target: Surface, parameters: Mapping[str, Any] | None,
@@ -286,6 +284,10 @@ class _Members:
 
     def to_dict(self) -> dict[str, Any]:
         return self.members
+
+
+class _StudyMembers(_Members, StudySubmissionDocument):
+    """Those of a study, in the class by which the generated call knows that it sends JSON."""
 
 
 def _members(members: Mapping[str, Any] | None) -> Any:

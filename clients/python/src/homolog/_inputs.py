@@ -35,9 +35,8 @@ def read(surface: Surface) -> tuple[str, bytes]:
         return "surface.ply", ply(surface.points, np.asarray(surface.triangulate().faces).reshape(-1, 4)[:, 1:])
     if hasattr(surface, "vertices") and hasattr(surface, "faces"):  # trimesh, and the Mesh of this package
         return "surface.ply", ply(surface.vertices, surface.faces)
-    raise TypeError(
-        f"cannot match a {type(surface).__name__}: give a path, bytes, (vertices, faces), a nibabel image, "
-        "or a mesh of trimesh, pyvista or meshio")
+    raise TypeError(f"cannot match a {type(surface).__name__}: give a path, bytes, (vertices, faces), a nibabel image, "
+                    "or a mesh of trimesh, pyvista or meshio")
 
 
 def _image(image: Any) -> bytes:

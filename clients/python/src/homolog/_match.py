@@ -140,13 +140,14 @@ class Match:
     def plot(self, color: str = "correspondence", *, show: bool = True, **options: Any) -> Any:
         """Both surfaces side by side, turned together, with pyvista: the source moved rigidly onto the target, and the target.
 
-        ``color``: ``"correspondence"`` (corresponding points have one color), or a value of ``warped`` at each vertex of the source,
-        such as ``"confidence"`` or ``"residual_mm"``. ``show``: opens the window, or draws the picture in a notebook; else the plotter
-        is returned as it is. ``options`` go to ``pyvista.Plotter``, such as ``off_screen=True``. Returns the plotter.
+        ``color``: ``"correspondence"`` (corresponding points have one color), or a member of ``warped.values``, such as ``"confidence"``.
+        ``show``: opens the window, or draws in a notebook. ``options`` go to ``pyvista.Plotter``, such as ``off_screen=True``.
         """
         import pyvista
 
         source, target, warped = self.mesh("aligned"), self.mesh("target"), self.warped
+        if color != "correspondence" and color not in warped.values:
+            raise ValueError(f"color must be correspondence or one of {', '.join(warped.values)}, not {color!r}")
         plotter = pyvista.Plotter(shape=(1, 2), **options)
         verdict = {True: "reliable", False: "not reliable: " + ", ".join(self.reasons), None: "no verdict"}[self.reliable]
         if color == "correspondence":
@@ -155,12 +156,9 @@ class Match:
             sides = [(source, np.clip((warped.vertices - low) / scale, 0, 1)), (target, (target.vertices - low) / scale)]
             drawn: list[tuple[Any, dict[str, Any]]] = [
                 (mesh.to_pyvista(), {"scalars": np.round(255 * values).astype(np.uint8), "rgb": True}) for mesh, values in sides]
-        elif color in warped.values:
+        else:
             drawn = [(source.to_pyvista(), {"scalars": warped.values[color], "scalar_bar_args": {"title": color}}),
                      (target.to_pyvista(), {"color": "lightgray"})]
-        else:
-            plotter.close()
-            raise ValueError(f"color must be correspondence or one of {', '.join(warped.values)}, not {color!r}")
         for side, (title, (mesh, look)) in enumerate(zip(("source, moved rigidly", "target"), drawn)):
             plotter.subplot(0, side)
             plotter.add_mesh(mesh, **look)

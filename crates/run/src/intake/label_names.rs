@@ -274,7 +274,7 @@ mod tests {
         for ((name, _, text), table) in TABLES.iter().zip(label_tables()) {
             assert_eq!(text.lines().filter(|line| !line.starts_with('#')).count(), table.rows.len(), "{name}");
             let head: String = text.lines().take_while(|line| line.starts_with('#')).collect();
-            assert!(head.contains("Source:") && head.contains("icence"), "{name}");
+            assert!(head.contains("Source:") && head.contains("icense"), "{name}");
             // A name has one number, and so do its words; otherwise requests would be ambiguous.
             for (number, row) in &table.rows {
                 assert_eq!(table.numbers_of(&words_of(row)), BTreeSet::from([*number]), "{name}: {row}");

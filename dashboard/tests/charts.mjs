@@ -55,7 +55,7 @@ export function chartTests({ test, service, pair, submit, finished, json }) {
     const event = (name, number, data) => `event: ${name}\nid: ${number}\ndata: ${JSON.stringify(data)}\n\n`;
     let points = [];
     const proxy = await h.prefixed(base, "/", (request, response) => {
-      if (!request.url.endsWith(`/jobs/${id}/events`)) return false;
+      if (!request.url.split("?")[0].endsWith(`/jobs/${id}/events`)) return false;
       response.writeHead(200, { "content-type": "text/event-stream" });
       response.end(points.map((point) => event("trace", point.seq, point)).join("") + event("done", `${points.length}-done`, job));
       return true;

@@ -555,8 +555,9 @@ test("a trace of 100,000 points does not hold up the page", async () => {
   const event = (name, number, data) => `event: ${name}\nid: ${number}\ndata: ${JSON.stringify(data)}\n\n`;
   const point = (seq) => ({ seq, round: 1 + Math.floor((3 * seq) / (total + 1)), phase: "inference", iteration: seq, energy: 1e6 / seq + Math.sin(seq), energy_unary: 5e5 / seq, energy_pairwise: 5e5 / seq, temperature: 1 / seq, elapsed_ms: seq });
   const base = await h.prefixed(open, "/", (request, response) => {
-    if (request.url.endsWith(`/jobs/${id}`)) return response.writeHead(200, { "content-type": "application/json" }).end(JSON.stringify({ ...ended, state: "running" }));
-    if (!request.url.endsWith(`/jobs/${id}/events`)) return false;
+    const [path] = request.url.split("?");
+    if (path.endsWith(`/jobs/${id}`)) return response.writeHead(200, { "content-type": "application/json" }).end(JSON.stringify({ ...ended, state: "running" }));
+    if (!path.endsWith(`/jobs/${id}/events`)) return false;
     response.writeHead(200, { "content-type": "text/event-stream" });
     const go = async () => {
       while (sent < total) {
@@ -634,7 +635,7 @@ test("what a lost connection keeps from the page of a job is asked for again", a
   const id = await submit(open, pair);
   await finished(open, id);
   const lost = new Set();
-  const needed = /\/v1\/(methods\/|jobs\/[^/?]+$|jobs\/[^/]+\/(result|correspondences|surfaces))/;
+  const needed = /\/v1\/(methods\/|jobs\/[^/?]+(\?fields=\*)?$|jobs\/[^/]+\/(result|correspondences|surfaces))/;
   const base = await h.prefixed(open, "/", (request, response) => {
     if (!needed.test(request.url) || lost.has(request.url)) return false;
     lost.add(request.url);

@@ -120,8 +120,10 @@ export function sliceTests({ test, service, submit, finished, api, json }) {
       await page.locator(canvas(name)).click({ position: { x, y } });
     }
     await h.until("the crosshair", async () => (await crosshair()).every((x, k) => Math.abs(x - goal[k]) < 0.4));
-    const [isVisible, place] = await inScene();
-    assert(isVisible && place.every((x, k) => Math.abs(x - goal[k]) < 0.4), `${place} ${goal}`);
+    await h.until("the crosshair in 3D", async () => {
+      const [isVisible, place] = await inScene();
+      return isVisible && place.every((x, k) => Math.abs(x - goal[k]) < 0.4);
+    });
     assert.equal(Number(/value (\S+)/.exec(await page.textContent("#crosshair"))[1]), volume(readFileSync(files[1]))(await page.evaluate(() => document.querySelector("#view").scene.crosses.target.position.toArray())) ?? NaN);
     await page.locator(".slices").scrollIntoViewIfNeeded();
     await h.accessible(page, "slices");

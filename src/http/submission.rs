@@ -21,8 +21,12 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::RangeInclusive;
 use utoipa::ToSchema;
 
+/// Allowed priorities, and what is said of another one.
+pub(super) const PRIORITIES: RangeInclusive<i32> = -100..=100;
+pub(super) const ALLOWED_PRIORITIES: &str = "must be an integer from -100 to 100";
 /// Largest field of a form for tags, bytes: they may be written with escapes.
 const MAX_TAGS_TEXT: usize = 256 << 10;
 /// Largest other text field of a form but parameters, bytes.
@@ -573,8 +577,8 @@ impl Fields {
 
     fn take_priority(&mut self, priority: Option<i32>) {
         match priority {
-            Some(priority) if (-100..=100).contains(&priority) => self.details.priority = priority,
-            _ => self.fault("priority", "out_of_range", "must be an integer from -100 to 100"),
+            Some(priority) if PRIORITIES.contains(&priority) => self.details.priority = priority,
+            _ => self.fault("priority", "out_of_range", ALLOWED_PRIORITIES),
         }
     }
 

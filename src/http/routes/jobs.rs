@@ -1,11 +1,11 @@
 //! `/v1/jobs`: submit, list, get, cancel, retry, delete.
 
-use super::{batch_id, job_id, page, small_json, study_id};
+use super::{batch_id, check_priority, job_id, page, small_json, study_id};
 use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::fields::Fields;
 use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
 use crate::http::router::{HttpState, IN_MEMORY};
@@ -453,10 +453,7 @@ pub(crate) async fn update(
     request: Request,
 ) -> Result<Json<JobDocument>, Problem> {
     let JobChangeDocument { priority } = small_json(&state, &tenant, request, query).await?;
-    if !(-100..=100).contains(&priority) {
-        let fault = FieldError::new("/priority", "out_of_range", "must be an integer from -100 to 100");
-        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
-    }
+    check_priority(priority)?;
     let job = state.service.set_priority(&tenant, job_id(&id)?, priority).await?;
     Ok(Json(JobDocument::from(&job)))
 }

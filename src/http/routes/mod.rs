@@ -19,12 +19,12 @@ pub(crate) mod tickets;
 pub(crate) mod trace;
 pub(crate) mod webhooks;
 
-use super::problem::Problem;
+use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
 use super::query::QueryString;
 use super::router::{HttpState, IN_MEMORY};
 use super::shares::Origin;
-use super::submission::{media_type, read_json};
+use super::submission::{ALLOWED_PRIORITIES, PRIORITIES, media_type, read_json};
 use super::upload::Tap;
 use crate::jobs::job::Cursor;
 use crate::jobs::{BatchId, JobId, StudyId, Tenant};
@@ -51,6 +51,15 @@ fn batch_id(text: &str) -> Result<BatchId, Problem> {
 /// The study that a path names.
 fn study_id(text: &str) -> Result<StudyId, Problem> {
     StudyId::parse(text).ok_or_else(|| Problem::new(ProblemKind::StudyNotFound))
+}
+
+/// Refuses a priority that is not allowed.
+fn check_priority(priority: i32) -> Result<(), Problem> {
+    if PRIORITIES.contains(&priority) {
+        return Ok(());
+    }
+    let fault = FieldError::new("/priority", "out_of_range", ALLOWED_PRIORITIES);
+    Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]))
 }
 
 /// Size and start of a page, from `page_size` and `page_token`.

@@ -1,6 +1,6 @@
 //! `/v1/studies`: studies of groups of subjects.
 
-use super::{page, small_json, study_id};
+use super::{check_priority, page, small_json, study_id};
 use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::content::{Counted, Wanted, streamed, wanted};
 use crate::http::fields::Fields;
@@ -310,10 +310,7 @@ pub(crate) async fn update(
     request: Request,
 ) -> Result<Json<StudyDocument>, Problem> {
     let StudyChangeDocument { priority } = small_json(&state, &tenant, request, query).await?;
-    if !(-100..=100).contains(&priority) {
-        let fault = FieldError::new("/priority", "out_of_range", "must be an integer from -100 to 100");
-        return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
-    }
+    check_priority(priority)?;
     let study = state.service.set_study_priority(&tenant, study_id(&id)?, priority).await?;
     Ok(Json(StudyDocument::of(&study, None)))
 }

@@ -221,7 +221,7 @@ struct End {
 impl End {
     fn of(over_form: &OverForm<'_>, start: NearIsometry, refined: Refined) -> End {
         let moved = over_form.moved(&refined);
-        let misfit = fine_misfit(&over_form.displacement, moved.clone(), false);
+        let misfit = fine_misfit(&over_form.displacement, &moved, false);
         let unexplained = unexplained(&over_form.displacement, &moved, false);
         End { start, refined, moved, misfit, unexplained }
     }
@@ -248,8 +248,7 @@ pub(crate) fn best_of_lowest(
     let settings = &displacement.options.isometry;
     let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
     let mut ends: Vec<Option<End>> = Vec::new();
-    for bent in starts.into_iter().take(settings.refined) {
-        let BentStart { start, state, .. } = bent;
+    for BentStart { start, state, .. } in starts.into_iter().take(settings.refined) {
         let refined = if low.is_clearly_above_lowest(&start) { None } else { refined(displacement, state)? };
         ends.push(refined.map(|refined| End::of(over_form, start, refined)));
     }
@@ -278,7 +277,7 @@ pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<B
         let Some(base) = rebased(displacement, &best.refined) else { break };
         let Some((_, state)) = over_form.coarse(&base) else { break };
         let Some(next) = refined(displacement, state)? else { break };
-        let misfit = fine_misfit(displacement, over_form.moved(&next), false);
+        let misfit = fine_misfit(displacement, &over_form.moved(&next), false);
         let gain = best.fine_misfit - misfit;
         if gain > 0.0 {
             (best.fine_misfit, best.refined) = (misfit, next);

@@ -197,8 +197,9 @@ fn unexplained_finely(
     candidate: &Candidate,
 ) -> Result<Option<(Unexplained, RigidTransform)>, MatchError> {
     let Some(fine) = fine_aside(displacement, candidate.state.clone())? else { return Ok(None) };
-    let end = pose_of(displacement, &fine.moved(), &candidate.pose);
-    Ok(unexplained(displacement, &fine.moved(), candidate.compared.mirrored).map(|unexplained| (unexplained, end)))
+    let moved = fine.moved();
+    let end = pose_of(displacement, &moved, &candidate.pose);
+    Ok(unexplained(displacement, &moved, candidate.compared.mirrored).map(|unexplained| (unexplained, end)))
 }
 
 /// Unexplained residual with the vertices of the source at `moved`; `mirrored`: whether the pose mirrors the source.

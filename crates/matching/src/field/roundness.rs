@@ -54,7 +54,7 @@ pub(crate) fn spread_of_rotations(
             checkpoint(displacement.observer)?;
             let Some(state) = coarse_alone(displacement, start) else { return Ok(None) };
             let Some(fine) = fine_aside(displacement, state)? else { return Ok(None) };
-            let misfit = fine_misfit(displacement, fine.moved(), start.is_reflection());
+            let misfit = fine_misfit(displacement, &fine.moved(), start.is_reflection());
             let base = fine.track.base.moved(points, &values);
             Ok(Some((misfit, displaced(&base, &fine.field, &values))))
         })

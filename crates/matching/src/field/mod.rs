@@ -6,6 +6,7 @@ pub(crate) mod base;
 pub(crate) mod both_ways;
 pub(crate) mod choice;
 pub(crate) mod coarse;
+mod deformation_evidence;
 pub(crate) mod deformed;
 pub(crate) mod displacement;
 pub(crate) mod fine;

@@ -13,6 +13,7 @@
 //! a height also has a linearization error, which grows with the posterior variance along the surface: both are
 //! iterated to a fixed point ([`Sample::posterior`]).
 
+use super::deformation_evidence::{LARGEST_RATIO, Observed, WIDTHS, observed};
 use super::displacement::Displacement;
 use super::fitted::{Refined, pose_of};
 use crate::pair::assignment::FEATURE_SHARE;
@@ -25,15 +26,8 @@ use homolog_registration::deformation::{
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
 
-/// Most points of the source at which components are observed.
-const MOST_POINTS: usize = 200;
 /// Features that are observed: those at the largest scale, whose gradients have the least noise.
 const FEATURES: std::ops::Range<usize> = N_FEATURES - 2..N_FEATURES;
-/// Widths of the process, in diagonals: in steps of √2 from those of the local stage to that of a whole structure.
-const WIDTHS: [f64; 7] = [0.075, 0.105, 0.15, 0.21, 0.3, 0.42, 0.6];
-/// Largest ratio of the variances of the process and of the noise, as a power of two: on surfaces without noise a field
-/// is known to a thousandth of its size.
-const LARGEST_RATIO: i32 = 22;
 /// Kernels of the process, and the exponent by which their amplitude falls with their width, as for a Matérn process of
 /// smoothness 5/2 (Rasmussen, Williams 2006, section 4.2.1).
 const N_OCTAVES: i32 = 3;
@@ -103,7 +97,7 @@ impl Sample {
     fn of(displacement: &Displacement<'_>, refined: &Refined, pose: &RigidTransform) -> Sample {
         let (source, target) = (&displacement.source, &displacement.target);
         let moved = refined.moved(&source.mesh);
-        let (vertices, closest) = (source.mesh.vertices(), target.closest());
+        let vertices = source.mesh.vertices();
         let start = match refined.base.bend {
             // The displacement of a bent base is no part of the field.
             Some(_) => refined.started(&source.mesh),
@@ -112,7 +106,6 @@ impl Sample {
                 vertices.iter().map(|p| rigid.apply(p)).collect()
             }
         };
-        let step = moved.len().div_ceil(MOST_POINTS).max(1);
         let mut sample = Sample {
             points: Vec::new(),
             areas: Vec::new(),
@@ -122,11 +115,8 @@ impl Sample {
             bending: Vec::new(),
             features: vec![Vec::new(); FEATURES.len()],
         };
-        for i in (0..moved.len()).step_by(step) {
-            let image = closest.index.closest(&moved[i]);
-            let normal = image.blend(|k| target.normals[k]).try_normalize(1e-9);
-            // A point beyond the rim of the target has no counterpart.
-            let Some(normal) = normal.filter(|_| !closest.is_at_rim(&image)) else { continue };
+        let (observed, step) = observed(displacement, &moved);
+        for Observed { vertex: i, image, normal } in observed {
             let height = normal.dot(&(image.point - moved[i]));
             sample.points.push(vertices[i]);
             sample.areas.push(source.areas[i] * step as f64);
@@ -138,10 +128,10 @@ impl Sample {
             );
             sample.bending.push(mean_square_of_bending(&turning));
             sample.shifts.push(normal.dot(&(moved[i] - start[i])) + height);
-            for (feature, observed) in FEATURES.zip(&mut sample.features) {
+            for (feature, differences) in FEATURES.zip(&mut sample.features) {
                 let of_target = |k: usize| target.features[k * N_FEATURES + feature];
                 let difference = source.features[i * N_FEATURES + feature] - image.blend(of_target);
-                observed.push((difference, gradient(target.mesh.vertices(), &image, of_target)));
+                differences.push((difference, gradient(target.mesh.vertices(), &image, of_target)));
             }
         }
         sample

@@ -10,6 +10,7 @@
 //! 1989.
 
 use super::base::State;
+use super::deformation_evidence::{deformation_evidence, lead, resolution_mm};
 use super::displacement::Displacement;
 use super::fine::fine_aside;
 use super::fine_misfit::{COMPARISON_SAMPLES, COMPARISON_SCALE};
@@ -35,9 +36,6 @@ pub(crate) const PREFERRED: f64 = 2.0;
 
 /// Standard errors from which a start is ruled out after the coarse stage: finer stages change less.
 const RULED_OUT: f64 = 8.0;
-
-/// Difference in misfit, including the misfit of the search, from which a start is worse on noisy surfaces.
-const WORSE_BY_SEARCH: f64 = 0.1;
 
 /// Unexplained residual of a start: the mean of `−ln` of the likelihood over each patch of both surfaces.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,7 +75,8 @@ impl Unexplained {
 }
 
 /// Whether the first of two correspondences is better than the second, which leaves more unexplained by `excess`
-/// standard errors and whose labels cost more by `lead`. Both count as independent numbers of variance 1.
+/// standard errors and falls behind by `lead` in another measure: the energy of labels, or the deformation that is
+/// needed. Both count as independent numbers of variance 1.
 pub(crate) fn is_distinct(excess: f64, lead: f64) -> bool {
     (excess + lead) / std::f64::consts::SQRT_2 > DISTINCT
 }
@@ -114,8 +113,7 @@ pub(crate) fn decided(
     let coarse: Vec<Option<Unexplained>> =
         compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
     let mut chosen = 0;
-    // Unexplained residual after a fine stage from the chosen start, and the pose in which this stage ends.
-    let mut of_chosen: Option<(Unexplained, RigidTransform)> = None;
+    let mut of_chosen: Option<End> = None;
     for k in 1..candidates.len() {
         let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
         if candidates[k].compared.finer != Finer::None {
@@ -135,15 +133,12 @@ pub(crate) fn decided(
         let (Some(own), Some(found)) = (&of_chosen, unexplained_finely(displacement, &candidates[k])?) else {
             continue;
         };
-        let fate = match (own.0.evidence(&found.0), of_other_hand) {
-            (_, false) if displacement.are_same(&own.1, &found.1, SAME_POSE_ANGLE) => Finer::Same,
+        let fate = match (own.unexplained.evidence(&found.unexplained), of_other_hand) {
+            (_, false) if displacement.are_same(&own.pose, &found.pose, SAME_POSE_ANGLE) => Finer::Same,
             (Evidence::First, _) | (Evidence::Equal, true) => Finer::Outdone,
-            // At a fine scale all poses of two subjects explain about the same; at the coarse scale one may explain
-            // less.
-            (Evidence::Equal, false)
-                if coarse_excess > DISTINCT
-                    || is_worse_by_search(displacement, &candidates[chosen], &candidates[k]) =>
-            {
+            // At a fine scale all poses of two subjects or of noisy surfaces explain about the same; at the coarse scale
+            // one may explain less, or it needs the larger deformation.
+            (Evidence::Equal, false) if coarse_excess > DISTINCT || own.is_distinct_from(&found, displacement) => {
                 Finer::Outdone
             }
             (Evidence::Equal, false) => Finer::AsGood,
@@ -169,10 +164,24 @@ pub(crate) fn decided(
     Ok(candidates.into_iter().next().map(|Candidate { pose, state, .. }| Chosen { pose, state, compared }))
 }
 
-/// Whether the surfaces are noisy, so that single points carry little evidence, and the search has found a higher
-/// misfit for the second start.
-fn is_worse_by_search(displacement: &Displacement<'_>, first: &Candidate, second: &Candidate) -> bool {
-    displacement.source.coarsening > 1.0 && second.compared.misfit > first.compared.misfit + WORSE_BY_SEARCH
+/// Where a start ends after a fine stage.
+struct End {
+    unexplained: Unexplained,
+    /// The vertices of the source there, and their rigid part.
+    moved: Vec<Point3<f64>>,
+    pose: RigidTransform,
+}
+
+impl End {
+    /// Whether this end is better than `other` by what both leave unexplained and by their deformations together.
+    fn is_distinct_from(&self, other: &End, displacement: &Displacement<'_>) -> bool {
+        let of = |end: &End| deformation_evidence(displacement, &end.moved, &end.pose);
+        let lead = match rayon::join(|| of(self), || of(other)) {
+            (Some(own), Some(other)) => lead(&own, &other, resolution_mm(displacement)),
+            _ => 0.0,
+        };
+        is_distinct(other.unexplained.excess_over(&self.unexplained), lead)
+    }
 }
 
 /// Unexplained residual of the field of the coarse stage, at the scale at which that stage ends.
@@ -191,15 +200,13 @@ fn unexplained_coarsely(displacement: &Displacement<'_>, candidate: &Candidate) 
     Some(Unexplained(patches))
 }
 
-/// Unexplained residual after a fine stage, and the pose in which it ends; `None` if a number is not finite.
-fn unexplained_finely(
-    displacement: &Displacement<'_>,
-    candidate: &Candidate,
-) -> Result<Option<(Unexplained, RigidTransform)>, MatchError> {
+/// The end of a start after a fine stage; `None` if a number is not finite.
+fn unexplained_finely(displacement: &Displacement<'_>, candidate: &Candidate) -> Result<Option<End>, MatchError> {
     let Some(fine) = fine_aside(displacement, candidate.state.clone())? else { return Ok(None) };
     let moved = fine.moved();
-    let end = pose_of(displacement, &moved, &candidate.pose);
-    Ok(unexplained(displacement, &moved, candidate.compared.mirrored).map(|unexplained| (unexplained, end)))
+    let pose = pose_of(displacement, &moved, &candidate.pose);
+    let unexplained = unexplained(displacement, &moved, candidate.compared.mirrored);
+    Ok(unexplained.map(|unexplained| End { unexplained, moved, pose }))
 }
 
 /// Unexplained residual with the vertices of the source at `moved`; `mirrored`: whether the pose mirrors the source.

@@ -7,7 +7,7 @@ use homolog_registration::alignment::progress_to_end;
 use nalgebra::Point3;
 
 /// Root mean square movement in a step above which it is repeated, in roots of the area.
-const SETTLED: f64 = 0.006;
+pub(super) const SETTLED: f64 = 0.006;
 /// Most repetitions in each stage.
 const REPETITIONS: [u32; 4] = [10, 20, 10, 0];
 

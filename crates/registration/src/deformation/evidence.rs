@@ -47,26 +47,72 @@ pub fn most_probable_kernel(
     widths_mm: &[f64],
     largest_ratio: i32,
 ) -> Option<KernelEvidence> {
-    let n = points.len() as f64;
-    let variance = heights.iter().map(|h| h * h).sum::<f64>() / n;
-    if !(variance.is_finite() && variance > 0.0) {
-        return None;
+    HeightEvidence::new(points, normals, heights, widths_mm)?.most_probable(largest_ratio)
+}
+
+/// Heights along normals, prepared for the marginal likelihood under fields of several widths.
+#[derive(Debug)]
+pub struct HeightEvidence {
+    n: f64,
+    /// Mean square of the heights, mm².
+    variance: f64,
+    /// Widths in mm, with the covariance of each.
+    of_widths: Vec<(f64, Tridiagonal)>,
+}
+
+impl HeightEvidence {
+    /// For `heights` (mm) along unit `normals` at `points` and fields of `widths_mm`. `None` without points, if all
+    /// heights are 0, or if a number is not finite.
+    ///
+    /// # Cost
+    /// `O(widths · points³)`; widths on all threads.
+    pub fn new(
+        points: &[Point3<f64>],
+        normals: &[Vector3<f64>],
+        heights: &[f64],
+        widths_mm: &[f64],
+    ) -> Option<HeightEvidence> {
+        let n = points.len() as f64;
+        let variance = heights.iter().map(|h| h * h).sum::<f64>() / n;
+        if !(variance.is_finite() && variance > 0.0) {
+            return None;
+        }
+        let of_width = |&width_mm: &f64| (width_mm, Tridiagonal::of(covariance(points, normals, width_mm), heights));
+        Some(HeightEvidence { n, variance, of_widths: widths_mm.par_iter().map(of_width).collect() })
     }
-    let of_width = |&width_mm: &f64| {
-        let tridiagonal = Tridiagonal::of(covariance(points, normals, width_mm), heights);
-        let of_ratio = |power: i32| {
-            let ratio = 2f64.powi(power);
-            let (log_determinant, squares) = tridiagonal.measured(ratio);
-            let noise_variance = squares / n;
-            let kernel = GaussianKernel { width_mm, amplitude_mm: (ratio * noise_variance).sqrt() };
-            let gain = 0.5 * (n * (variance / noise_variance).ln() - log_determinant);
-            KernelEvidence { kernel, noise_mm: noise_variance.sqrt(), gain }
+
+    /// The most probable kernel and noise. Ratios `s² / σ²` up to two to the power of `largest_ratio` are tried. `None`
+    /// without widths, or if a number is not finite. Cost `O(widths · ratios · points)`.
+    pub fn most_probable(&self, largest_ratio: i32) -> Option<KernelEvidence> {
+        let of_width = |(width_mm, tridiagonal): &(f64, Tridiagonal)| {
+            let of_ratio = |power: i32| {
+                let ratio = 2f64.powi(power);
+                let (log_determinant, squares) = tridiagonal.measured(ratio);
+                let noise_variance = squares / self.n;
+                let kernel = GaussianKernel { width_mm: *width_mm, amplitude_mm: (ratio * noise_variance).sqrt() };
+                let gain = 0.5 * (self.n * (self.variance / noise_variance).ln() - log_determinant);
+                KernelEvidence { kernel, noise_mm: noise_variance.sqrt(), gain }
+            };
+            let found = (LEAST_RATIO..=largest_ratio).map(of_ratio).filter(|e| e.gain.is_finite());
+            found.max_by(|a, b| a.gain.total_cmp(&b.gain))
         };
-        let found = (LEAST_RATIO..=largest_ratio).map(of_ratio).filter(|e| e.gain.is_finite());
-        found.max_by(|a, b| a.gain.total_cmp(&b.gain))
-    };
-    let found: Vec<Option<KernelEvidence>> = widths_mm.par_iter().map(of_width).collect();
-    found.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))
+        let found: Vec<Option<KernelEvidence>> = self.of_widths.iter().map(of_width).collect();
+        found.into_iter().flatten().max_by(|a, b| a.gain.total_cmp(&b.gain))
+    }
+
+    /// Logarithm of the marginal likelihood of the heights, without the constant `−n ln √2π`, for noise of standard
+    /// deviation `noise_mm` and the most probable field whose standard deviation is at least `least_mm`, in steps of √2
+    /// up to `largest_ratio` steps. Cost `O(widths · steps · points)`.
+    pub fn log_likelihood(&self, noise_mm: f64, least_mm: f64, largest_ratio: i32) -> f64 {
+        let noise_variance = noise_mm * noise_mm;
+        let of = |tridiagonal: &Tridiagonal, power: i32| {
+            let (log_determinant, squares) =
+                tridiagonal.measured(least_mm * least_mm * 2f64.powi(power) / noise_variance);
+            -0.5 * (log_determinant + squares / noise_variance) - self.n * noise_mm.ln()
+        };
+        let all = self.of_widths.iter().flat_map(|(_, t)| (0..=largest_ratio).map(move |power| of(t, power)));
+        all.fold(f64::NEG_INFINITY, f64::max)
+    }
 }
 
 /// The lower triangle of the covariance of the heights of a field with this width and variance 1.
@@ -79,6 +125,7 @@ fn covariance(points: &[Point3<f64>], normals: &[Vector3<f64>], width_mm: f64) -
 
 /// A symmetric matrix `K = Q T Qᵀ` with tridiagonal `T`, and `Qᵀ h` for a vector `h`. They suffice for the marginal
 /// likelihood for any ratio of variances, at a fraction of the cost of eigenvectors.
+#[derive(Debug)]
 struct Tridiagonal {
     diagonal: Vec<f64>,
     /// The entries below the diagonal.
@@ -177,6 +224,28 @@ mod tests {
         let variance = heights.iter().map(|h| h * h).sum::<f64>() / 60.0;
         let noise = log_density(&(DMatrix::identity(60, 60) * variance), &heights);
         assert!((field - noise - found.gain).abs() < 1e-6 * (1.0 + found.gain.abs()), "{} {found:?}", field - noise);
+    }
+
+    #[test]
+    fn the_log_likelihood_is_that_of_the_most_probable_field_of_a_least_amplitude() {
+        let (points, normals) = (cloud(3, 60), directions(4, 60));
+        let truth = GaussianKernel { width_mm: 5.0, amplitude_mm: 2.0 };
+        let heights = drawn(&with_noise(&points, &normals, truth, 0.5));
+        let widths = [3.0, 5.0, 9.0];
+        let evidence = HeightEvidence::new(&points, &normals, &heights, &widths).unwrap();
+        for (noise_mm, least_mm) in [(0.5, 0.1), (0.3, 0.3), (0.7, 4.0)] {
+            let found = evidence.log_likelihood(noise_mm, least_mm, 12);
+            let by_definition = |width_mm: f64, power: i32| {
+                let kernel = GaussianKernel { width_mm, amplitude_mm: least_mm * 2f64.powi(power).sqrt() };
+                log_density(&with_noise(&points, &normals, kernel, noise_mm), &heights)
+            };
+            let all = widths.iter().flat_map(|width| (0..=12).map(move |power| by_definition(*width, power)));
+            let expected = all.fold(f64::NEG_INFINITY, f64::max);
+            assert!(
+                (found - expected).abs() < 1e-6 * (1.0 + expected.abs()),
+                "{noise_mm} {least_mm}: {found} {expected}"
+            );
+        }
     }
 
     #[test]

@@ -29,7 +29,7 @@ pub(crate) mod taylor;
 #[cfg(test)]
 mod tests;
 
-pub use evidence::{KernelEvidence, most_probable_kernel};
+pub use evidence::{HeightEvidence, KernelEvidence, most_probable_kernel};
 pub use fit::{FittedField, Observation, fit_field};
 pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};
 pub use posterior::{Component, posterior_covariances};

@@ -447,6 +447,28 @@ fn the_tables_equal_those_in_architecture_md() {
     assert_table_in_architecture("<!-- arrows: held equal to tests/suite/tidy.rs -->", ARROWS);
 }
 
+/// `make help` prints the head of the Makefile: groups of at most eight commands, each of which exists, and all of them.
+#[test]
+fn help_lists_every_command_in_groups_of_at_most_eight() {
+    let makefile = fs::read_to_string(root().join("Makefile")).unwrap();
+    let head: Vec<&str> = makefile.lines().map_while(|line| line.strip_prefix('#')).collect();
+    let command = |line: &str| {
+        let words = line.strip_prefix("   ").filter(|rest| rest.starts_with(char::is_alphabetic))?;
+        words.split(' ').next().map(str::to_owned)
+    };
+    let mut listed = BTreeSet::new();
+    for group in head.split(|line| line.trim().is_empty()) {
+        let commands: Vec<String> = group.iter().filter_map(|line| command(line)).collect();
+        assert!((1..=8).contains(&commands.len()), "{} has {} commands", group[0], commands.len());
+        listed.extend(commands);
+    }
+    let phony = makefile.lines().filter_map(|line| line.strip_prefix(".PHONY: "));
+    let mut known: BTreeSet<String> = phony.flat_map(str::split_whitespace).map(str::to_owned).collect();
+    // The page itself, and a step of others.
+    assert!(known.remove("help") && known.remove("study-env"));
+    assert_eq!(listed, known);
+}
+
 #[test]
 fn every_copy_source_of_the_dockerfile_exists() {
     let text = fs::read_to_string(root().join("Dockerfile")).unwrap();

@@ -1,57 +1,60 @@
-# make demo    build, start the service, match a pair over HTTP, show the result
-#              SOURCE=a.nii.gz TARGET=b.nii.gz: use your own pair; KEEP=1: leave the service running
-# make test    all tests that this machine can run, fault injection in a short form; it lists those that were skipped, and
-#              why; HOMOLOG_REAL_DATA=dir: the real data that some need
-# make faults  fault injection in full length, an hour: processes and children killed, databases stopped, disks filled;
-#              TEST=a06: only the test of that name
-# make soak    an hour of mixed load with faults: memory and open files must not grow, no job may be lost; SECONDS=600: shorter;
-#              the record is target/soak.md
-# make memory  attack the service in a memory group, or measure its memory if groups are unavailable: 2 GiB with workers, 512 MiB
-#              without; SECONDS=60; the record is target/memory.md
-# make check   words (scripts/words.txt), packages of the library crates, formatting, lints, documentation, unused dependencies,
-#              licenses and sources of dependencies (deny.toml)
-# make sbom    software bill of materials of the program, target/homolog.cdx.json (CycloneDX)
-# make advisories  known vulnerabilities of dependencies; needs the internet
-# make contract  test a running service on each store against its OpenAPI document with schemathesis; EXAMPLES=50: requests for
-#              each operation
-# make build   target/release/homolog
-# make api     regenerate api/ and docs/parameters.md
-# make client  target/wheels: the Python package with this machine's program in it
-# make dashboard build the page of the dashboard, dashboard/dist, with node; make screenshots: the pictures in docs/dashboard,
-#              by the tests in a browser; TEST=batch: only the test of that name
-# make picture redraw docs/match.png; make method-pictures: redraw the pictures in docs/methods
-# make experiment  measure every method and write a report that includes the newest accuracy table; DATA=dir: real label
-#              volumes in dir/hippocampus
-# make accuracy  measure accuracy and compare it with other programs; DATA=dir: label volumes in dir/hippocampus;
-#              EVAL=dir: the folder of real_cases.py; CASES=10: pairs per set; OURS_ONLY=1: without the other programs
-# make energies  compare the energy of the truth with the result of each minimizer; DATA, EVAL, CASES as for make accuracy
-# make thresholds  effect of each number of benches/thresholds.toml: compare builds with a larger and a smaller number with the
-#              normal build, hours; ONLY=NAME,...: some of them; DATA, EVAL, CASES as for make accuracy; the record is target/thresholds/thresholds.md
-# make answers compare the answers of this build with tests/answers.tsv, to the bit, on 20 real pairs and eight methods;
-#              DATA=dir: label volumes in dir/hippocampus
-# make peers-read  read files of other programs, mutations of them and test data of PyPI packages with homolog and with nibabel, VTK,
-#              SimpleITK, pynrrd, trimesh and highdicom; writes docs/formats-read.md; ROUNDS=6: mutations of each kind
-# make fuzz    coverage-guided fuzzing of the readers, or of client requests: PART=json, form, headers, query or token; FOR=600:
-#              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
-# make methods  published methods (docs/methods) beside other programs of the same methods; DATA, EVAL as for make accuracy;
-#             CASES=set:index,... pairs other than the default ones
-# make study   measure studies of real hippocampi: models, simulated atrophy, splits without an effect, time, memory; DATA=dir: label
-#              volumes in dir/hippocampus; PARTS=time,null: some of them; SPLITS=200: splits without an effect
-# make study-others  the same studies with correspondences by spherical harmonics, ICP and coherent point drift; DATA as above;
-#              PARTS=model,cycles,atrophy: some of them
-# make bench   benchmarks of a match
-# make bench-service  benchmarks of the service; PART=poll: one part of them
+# Every day
+#   build          target/release/homolog
+#   demo           build, start the service, match a pair over HTTP, show the result; SOURCE=a.nii.gz TARGET=b.nii.gz: your own
+#                  pair; KEEP=1: leave the service running
+#   test           the tests, but for the campaigns below; lists what it skipped and why; HOMOLOG_REAL_DATA=dir: the folder of
+#                  real data (data/ unless set)
+#   check          words, packages, public items, formatting, lints, documentation, unused dependencies, licenses and sources
+#   api            regenerate api/ and docs/parameters.md
+#   client         target/wheels: the Python package with this machine's program in it
+#   dashboard      build the page of the dashboard, dashboard/dist, with node
+#
+# Campaigns of tests
+#   faults         processes killed, databases stopped, disks filled: an hour; SHORT=1: minutes; TEST=a06: the test of that name
+#   contract       a service on each store against its OpenAPI document, with schemathesis; EXAMPLES=50: requests an operation
+#   readers        outputs and clients in other programs: Python readers, browsers, generated clients, Orthanc, Prometheus
+#   answers        the answers of this build against tests/answers.tsv, to the bit, on 20 real pairs; DATA=dir
+#   peers-read     files of other programs read by homolog and by them; writes docs/formats-read.md; ROUNDS=6: mutations a kind
+#   fuzz           coverage-guided fuzzing of the readers, or of requests: PART=json, form, headers, query or token; FOR=600:
+#                  seconds; WITHIN=10: seconds an input may take (2 unless set); needs a nightly toolchain
+#   soak           an hour of mixed load with faults; SECONDS=600: shorter; the record is target/soak.md
+#   memory         attack the service in a memory group, or measure its memory without one; SECONDS=60; target/memory.md
+#
+# Before a release
+#   msrv           build with the oldest supported toolchain, which Cargo.toml states; needs rustup
+#   public-api     write the public items of the library crates into api/rust, which `make check` compares
+#   advisories     known vulnerabilities of dependencies; needs the internet
+#   sbom           software bill of materials, target/homolog.cdx.json (CycloneDX)
+#   screenshots    the pictures in docs/dashboard, by the tests in a browser; TEST=batch: only the test of that name
+#   pictures       redraw docs/match.png and the pictures in docs/methods
+#
+# Measurements of the method (DATA=dir: label volumes in dir/hippocampus; EVAL=dir: the folder of real_cases.py)
+#   accuracy       accuracy beside other programs; CASES=10: pairs a set; OURS_ONLY=1: without the others
+#   experiment     every method, as a report that includes the newest accuracy table
+#   methods        published methods beside other programs of the same methods; CASES=set:index,...
+#   energies       the energy of the truth beside the result of each minimizer
+#   thresholds     the effect of each number of benches/thresholds.toml, hours; ONLY=NAME,...; target/thresholds/thresholds.md
+#
+# Measurements of studies and of speed
+#   study          studies of real hippocampi: models, effects, time, memory; PARTS=time,null; SPLITS=200
+#   study-others   the same with correspondences by other methods; PARTS=model,cycles,atrophy
+#   bench          a match
+#   bench-service  the service; PART=poll: one part
 
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test faults fuzz soak memory check sbom advisories contract build api client picture method-pictures experiment accuracy energies thresholds methods answers study study-others study-env bench bench-service dashboard screenshots peers-read
+.PHONY: help build demo test check api client dashboard
+.PHONY: faults contract readers answers peers-read fuzz soak memory
+.PHONY: msrv public-api advisories sbom screenshots pictures
+.PHONY: accuracy experiment methods energies thresholds study study-others study-env bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
 TARGET ?=
 KEEP ?=
 TEST ?=
+SHORT ?=
 DATA ?= data
 EXAMPLES ?= 50
 PART ?=
@@ -68,7 +71,7 @@ SPLITS ?=
 ACCURACY ?= $(lastword $(sort $(wildcard docs/accuracy/*)))
 
 help:
-	@sed -n '/^#/!q; s/^# //p' Makefile
+	@sed -n '/^#/!q; s/^# \{0,1\}//p' Makefile
 
 build:
 	@scripts/setup build
@@ -85,7 +88,11 @@ test:
 
 faults:
 	@scripts/setup test
-	@CARGO="$(CARGO)" scripts/test faults "$(TEST)"
+	@HOMOLOG_FAULTS=$(if $(filter-out 0,$(SHORT)),short,full) CARGO="$(CARGO)" scripts/test faults "$(TEST)"
+
+readers:
+	@scripts/setup test
+	@CARGO="$(CARGO)" scripts/test readers
 
 soak: build
 	scripts/soak target/release/homolog --seconds $(SECONDS) --record target/soak.md
@@ -97,8 +104,10 @@ check:
 	@scripts/setup check
 	scripts/words
 	scripts/packages
+	scripts/public-api check
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
+	$(CARGO) clippy --locked -p homolog-matching -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 	target/tools/bin/cargo-machete
 	target/tools/bin/cargo-deny --locked check bans licenses sources
@@ -107,6 +116,12 @@ peers-read: build
 	@scripts/setup test
 	target/readers-env/bin/python -W ignore tests/readers/peers/peers_read.py target/release/homolog --cache target/peers --rounds $(ROUNDS) \
 	  --out docs/formats-read.md
+
+msrv:
+	scripts/msrv
+
+public-api:
+	scripts/public-api write
 
 sbom:
 	@scripts/setup build
@@ -146,14 +161,10 @@ screenshots:
 	cd dashboard && DASHBOARD_BINARY="$(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/debug/homolog" DASHBOARD_SCREENSHOTS="$(CURDIR)/docs/dashboard" \
 	  node tests/run.mjs $(TEST)
 
-picture: build
+pictures: build
 	[ -x target/picture-env/bin/python ] || python3 -m venv target/picture-env
 	target/picture-env/bin/python -m pip --disable-pip-version-check --quiet install numpy==2.4.6 matplotlib==3.11.2
 	target/picture-env/bin/python scripts/picture target/release/homolog docs/match.png
-
-method-pictures: build
-	[ -x target/picture-env/bin/python ] || python3 -m venv target/picture-env
-	target/picture-env/bin/python -m pip --disable-pip-version-check --quiet install numpy==2.4.6 matplotlib==3.11.2
 	target/picture-env/bin/python scripts/method-pictures target/release/homolog docs/methods
 
 experiment: build
@@ -206,7 +217,7 @@ ifneq ($(filter-out read,$(PART)),)
 else
 	mkdir -p fuzz/corpus/read fuzz/artifacts/read
 	HOMOLOG_FUZZ_SEEDS="$$PWD/fuzz/corpus/read" $(CARGO) test --locked -p homolog-formats --test hostile every_format
-	find $(or $(DATA),../shared/data)/formats tests/fixtures crates/formats/tests -type f -size -64k -exec cp -n {} fuzz/corpus/read/ \; || true
+	find "$(DATA)"/formats tests/fixtures crates/formats/tests -type f -size -64k -exec cp -n {} fuzz/corpus/read/ \; || true
 	cd fuzz && $(CARGO) +nightly fuzz run read corpus/read -- -max_total_time=$(or $(FOR),600) -timeout=$(or $(WITHIN),2) -malloc_limit_mb=256 \
 	  -rss_limit_mb=2048 -max_len=65536 -dict=formats.dict
 endif

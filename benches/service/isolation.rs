@@ -37,9 +37,10 @@ pub(crate) async fn price(scale: Scale) {
             let template_id = upload_file(&mut client, &template.name, &template.bytes).await;
             let mut ids = Vec::with_capacity(subjects.len());
             for subject in &subjects {
-                ids.push(json!({"mesh_id": upload_file(&mut client, &subject.name, &subject.bytes).await}));
+                let id = upload_file(&mut client, &subject.name, &subject.bytes).await;
+                ids.push(json!({"input": {"mesh_id": id}}));
             }
-            let batch = json!({"template": template_id, "subjects": ids, "parameters": parameters()});
+            let batch = json!({"template": {"mesh_id": template_id}, "subjects": ids, "parameters": parameters()});
             all[way].push(makespan_s(&run_batch(&mut client, &batch).await));
             mib[way] = node.status_mib("VmHWM");
         }

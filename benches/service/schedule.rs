@@ -124,8 +124,9 @@ pub(crate) async fn compare(workload: &Workload) {
             ids.push([upload(&mut client, &source).await, upload(&mut client, &target).await]);
         }
         let of = |n_vertices: &usize| &ids[sizes.iter().position(|size| size == n_vertices).unwrap()];
-        let pairs: Vec<Value> =
-            workload.jobs.iter().map(of).map(|[source, target]| json!({"source": source, "target": target})).collect();
+        let pair =
+            |[source, target]: &[String; 2]| json!({"source": {"mesh_id": source}, "target": {"mesh_id": target}});
+        let pairs: Vec<Value> = workload.jobs.iter().map(of).map(pair).collect();
         let times = run_batch(&mut client, &json!({"pairs": pairs, "parameters": parameters()})).await;
         row(workload, way, &times, node.status_mib("VmHWM"));
     }
@@ -169,9 +170,10 @@ pub(crate) async fn template(scale: Scale) {
         let template_id = upload_file(&mut client, &template.name, &template.bytes).await;
         let mut ids = Vec::with_capacity(subjects.len());
         for subject in &subjects {
-            ids.push(json!({"mesh_id": upload_file(&mut client, &subject.name, &subject.bytes).await}));
+            let id = upload_file(&mut client, &subject.name, &subject.bytes).await;
+            ids.push(json!({"input": {"mesh_id": id}}));
         }
-        let batch = json!({"template": template_id, "subjects": ids, "parameters": parameters()});
+        let batch = json!({"template": {"mesh_id": template_id}, "subjects": ids, "parameters": parameters()});
         let times = run_batch(&mut client, &batch).await;
         let seconds = makespan_s(&times);
         let most = node.status_mib("VmHWM");

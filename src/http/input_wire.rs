@@ -30,62 +30,39 @@ pub(crate) struct SubmittedInputDocument {
 
 /// Reads an input from a JSON object.
 pub(super) fn input<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SubmittedInputDocument, D::Error> {
-    deserializer.deserialize_any(InputReader { takes_id: false })
-}
-
-/// Reads an input from a JSON object, or from the bare id of an upload, as it was written up to 0.1; accepted until 0.3.
-pub(super) fn input_or_id<'de, D: Deserializer<'de>>(deserializer: D) -> Result<SubmittedInputDocument, D::Error> {
-    deserializer.deserialize_any(InputReader { takes_id: true })
+    deserializer.deserialize_any(InputReader)
 }
 
 /// Reads an input as [`input`] does, or `null` as none.
 pub(super) fn maybe_input<'de, D: Deserializer<'de>>(d: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
-    d.deserialize_any(MaybeInputReader(InputReader { takes_id: false }))
+    d.deserialize_any(MaybeInputReader)
 }
 
-/// Reads an input as [`input_or_id`] does, or `null` as none.
-pub(super) fn maybe_input_or_id<'de, D: Deserializer<'de>>(d: D) -> Result<Option<SubmittedInputDocument>, D::Error> {
-    d.deserialize_any(MaybeInputReader(InputReader { takes_id: true }))
-}
-
-struct MaybeInputReader(InputReader);
+struct MaybeInputReader;
 
 impl<'de> Visitor<'de> for MaybeInputReader {
     type Value = Option<SubmittedInputDocument>;
 
     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.expecting(f)
+        InputReader.expecting(f)
     }
 
     fn visit_unit<E: serde::de::Error>(self) -> Result<Self::Value, E> {
         Ok(None)
     }
 
-    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Self::Value, E> {
-        self.0.visit_str(text).map(Some)
-    }
-
     fn visit_map<A: MapAccess<'de>>(self, object: A) -> Result<Self::Value, A::Error> {
-        self.0.visit_map(object).map(Some)
+        InputReader.visit_map(object).map(Some)
     }
 }
 
-struct InputReader {
-    takes_id: bool,
-}
+struct InputReader;
 
 impl<'de> Visitor<'de> for InputReader {
     type Value = SubmittedInputDocument;
 
     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(INPUT_SHAPE)
-    }
-
-    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<SubmittedInputDocument, E> {
-        if !self.takes_id {
-            return Err(E::invalid_type(serde::de::Unexpected::Str(text), &self));
-        }
-        Ok(SubmittedInputDocument { mesh_id: Some(text.to_owned()), ..SubmittedInputDocument::default() })
     }
 
     fn visit_map<A: MapAccess<'de>>(self, object: A) -> Result<SubmittedInputDocument, A::Error> {

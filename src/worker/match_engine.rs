@@ -113,7 +113,7 @@ impl Engine for MatchEngine {
             return Ok(Arc::new(StudyStep::restored(parameters)));
         }
         // Effective parameters resolve to themselves, unless another version stored them.
-        let parameters = resolve(&without_learned_prior(parameters)).map_err(|faults| {
+        let parameters = resolve(parameters).map_err(|faults| {
             let first = faults.first().map(|f| format!("{}: {}", f.pointer, f.detail)).unwrap_or_default();
             Failure::new("invalid-parameters", format!("this version does not take the stored parameters: {first}"))
         })?;
@@ -131,16 +131,6 @@ impl Engine for MatchEngine {
     fn present(&self, part: ResultPart, format: PartFormat, stored: &[&[u8]]) -> Result<Vec<u8>, PresentError> {
         presentation::present(part, format, stored)
     }
-}
-
-/// `parameters` without the learned prior of the hippocampus. Version 0.1 applied it by default; jobs that it queued
-/// are computed without the prior.
-fn without_learned_prior(parameters: &Value) -> Value {
-    let mut parameters = parameters.clone();
-    if let Some(anatomy) = parameters.pointer_mut("/displacement/anatomy").filter(|a| **a == "hippocampus") {
-        *anatomy = "any".into();
-    }
-    parameters
 }
 
 impl Computation for Match {
@@ -277,9 +267,6 @@ mod tests {
         let whole = format!("{:?}", engine.restore(&stored).unwrap());
         stored.as_object_mut().unwrap().remove("input").unwrap();
         assert_eq!(format!("{:?}", engine.restore(&stored).unwrap()), whole);
-        stored["displacement"]["anatomy"] = json!("hippocampus");
-        assert_eq!(format!("{:?}", engine.restore(&stored).unwrap()), whole);
-        assert!(engine.resolve(&json!({"displacement": {"anatomy": "hippocampus"}})).is_err());
         stored["later"] = json!(1);
         let failure = engine.restore(&stored).unwrap_err();
         assert_eq!(failure.code, "invalid-parameters");

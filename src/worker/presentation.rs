@@ -136,7 +136,7 @@ fn one_way(pairs: Correspondences, direction: WarpDirection) -> Result<Correspon
         (WarpDirection::Forward, inverse) => Ok(Correspondences { inverse, ..pairs }),
         (WarpDirection::Inverse, None) => Err(PresentError::NoInverse),
         (WarpDirection::Inverse, Some(inverse)) => {
-            inverse.completed().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
+            inverse.checked().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
         }
     }
 }
@@ -294,7 +294,7 @@ fn json_table(arrays: &[VertexArray]) -> serde_json::Value {
 fn correspondences(stored: &[u8]) -> Result<Correspondences, PresentError> {
     let pairs: Correspondences =
         serde_json::from_slice(stored).map_err(|error| unreadable("stored correspondences", error))?;
-    pairs.completed().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
+    pairs.checked().ok_or(PresentError::Unreadable { what: "columns of unequal length", source: None })
 }
 
 /// A surface that this program wrote. The limits for uploads do not apply, because they may have been lowered in the

@@ -25,7 +25,7 @@ def finished(job):
 
 # The bounds of the service are those of the models.
 for wrong in [{"energy": {"alpha": -1}}, {"inference": {"damping": 1}}, {"landmarks": [{"source_mm": [0], "target_mm": [0, 0, 0]}]},
-              {"energy": {"alfa": 1}}, {"seed": -1}, {"inference": {"message_bits": 8}}, {"features": []}]:
+              {"energy": {"alfa": 1}}, {"seed": -1}, {"inference": {"coarse_vertices": 8}}, {"features": []}]:
     try:
         m.PartialParameters.model_validate(wrong)
         raise SystemExit(f"{wrong} was accepted")

@@ -8,6 +8,7 @@ use super::faults::site::{Backend, Site};
 use super::faults::witness::Database;
 use super::jobs_support::{TestService, form, problem};
 use super::store::{Fixture, on_every_store};
+use crate::patience::PATIENCE;
 use homolog::jobs::audit::{AuditFault, AuditHead, AuditStore as _, Verifier};
 use homolog::jobs::{AuditEvent, AuditRow, Tenant};
 use serde_json::{Value, json};
@@ -206,7 +207,7 @@ async fn rows_say_who_did_what_and_nothing_of_a_patient() {
         if result.status() == 200 {
             break result;
         }
-        assert!(began.elapsed() < Duration::from_secs(20));
+        assert!(began.elapsed() < PATIENCE);
         tokio::time::sleep(Duration::from_millis(50)).await;
     };
     assert!(result.json::<Value>().await.unwrap()["transform"].is_object());
@@ -259,7 +260,7 @@ async fn a_request_whose_client_leaves_is_recorded() {
     drop(stream);
     let began = Instant::now();
     while rows(&service).await.iter().all(|row| row.action != "upload_mesh" || row.status == Some(201)) {
-        assert!(began.elapsed() < Duration::from_secs(15));
+        assert!(began.elapsed() < PATIENCE);
     }
     service.end().await;
 }
@@ -381,7 +382,7 @@ async fn what_the_service_purges_by_itself_is_recorded() {
             assert_eq!((row.tenant.as_deref(), row.address.as_deref()), (None, Some("service")));
             break;
         }
-        assert!(began.elapsed() < Duration::from_secs(15), "{rows:?}");
+        assert!(began.elapsed() < PATIENCE, "{rows:?}");
         tokio::time::sleep(Duration::from_millis(100)).await;
     }
     assert_eq!(service.get(&format!("/v1/jobs/{id}/result")).await.status(), 410);

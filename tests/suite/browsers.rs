@@ -172,7 +172,7 @@ async fn lists_have_only_the_members_that_are_asked_for() {
         .json()
         .await
         .unwrap();
-    let batch = json!({"template": mesh["id"], "subjects": [{"mesh_id": mesh["id"]}]});
+    let batch = json!({"template": {"mesh_id": mesh["id"]}, "subjects": [{"input": {"mesh_id": mesh["id"]}}]});
     let post = async |path: &str, body: &Value| -> Value {
         let sent = service.client.post(format!("{}{path}", service.base)).json(body).send().await.unwrap();
         assert!(sent.status().is_success(), "{path}: {}", sent.status());
@@ -355,7 +355,7 @@ async fn a_template_can_be_the_source_of_a_batch() {
         (Some("target"), [&subject, &template]),
         (None, [&subject, &template]),
     ] {
-        let mut body = json!({"template": template, "subjects": [{"mesh_id": subject}], "use_cache": false});
+        let mut body = json!({"template": {"mesh_id": template}, "subjects": [{"input": {"mesh_id": subject}}], "use_cache": false});
         if let Some(side) = side {
             body["template_as"] = side.into();
         }
@@ -366,7 +366,8 @@ async fn a_template_can_be_the_source_of_a_batch() {
         assert_eq!((&job["source"]["hash"], &job["target"]["hash"]), (&json!(source), &json!(target)), "{side:?}");
         assert_eq!(job["links"]["batch"], links["self"]);
     }
-    let pairs = json!({"pairs": [{"source": template, "target": subject}], "template_as": "source"});
+    let pairs =
+        json!({"pairs": [{"source": {"mesh_id": template}, "target": {"mesh_id": subject}}], "template_as": "source"});
     problem(submit(pairs).await, 422, "invalid-request").await;
     service.end().await;
 }

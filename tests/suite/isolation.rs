@@ -6,7 +6,8 @@
 
 use super::faults::length;
 use super::jobs_support::TestService;
-use super::process::{SLOW, Server, pair};
+use super::process::{ENDLESS, SLOW, Server, pair};
+use crate::patience::PATIENCE;
 use homolog::jobs::engine::{MethodDescription, Resolved};
 use homolog::jobs::{
     Computation, ComputeError, ComputeInputs, ComputesApart, Demand, Engine, Failure, InputBytes, InputRefusal,
@@ -25,7 +26,6 @@ use std::time::{Duration, Instant};
 
 const ISOLATED: [&str; 2] = ["--isolation", "process"];
 /// Longest wait for something immediate, on a loaded machine.
-const SOON: Duration = Duration::from_secs(20);
 
 /// Processes whose parent is this one.
 fn children(parent: u32) -> Vec<u32> {
@@ -70,7 +70,7 @@ fn eventually<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
         if let Some(found) = look() {
             return found;
         }
-        assert!(began.elapsed() < SOON, "{what}");
+        assert!(began.elapsed() < PATIENCE, "{what}");
         std::thread::sleep(Duration::from_millis(2));
     }
 }
@@ -191,7 +191,7 @@ fn a_killed_child_takes_nothing_with_it_and_its_job_ends_right() {
             if job["finished_at"].is_string() {
                 return job;
             }
-            assert!(began.elapsed() < Duration::from_secs(240), "{job}");
+            assert!(began.elapsed() < PATIENCE, "{job}");
             std::thread::sleep(Duration::from_millis(5));
         }
     };
@@ -251,7 +251,7 @@ fn a_job_whose_child_is_killed_twice_fails_alone() {
     let folder = tempfile::tempdir().unwrap();
     let [source, target] = pair(&folder.path().join("pair"));
     let server = Server::start(&folder.path().join("data"), &["--isolation", "process", "--workers", "1"]);
-    let id = server.submit(&source, &target);
+    let id = server.submit_endless(&source, &target);
     let first = eventually("the job runs", || computing(server.pid()).pop());
     kill(first);
     let second = eventually("it runs again", || computing(server.pid()).into_iter().find(|&pid| pid != first));
@@ -272,7 +272,7 @@ fn nothing_computes_after_a_cancellation_or_a_deadline() {
     let folder = tempfile::tempdir().unwrap();
     let [source, target] = pair(&folder.path().join("pair"));
     let server = Server::start(&folder.path().join("data"), &[&ISOLATED[..], &["--workers", "1"]].concat());
-    let id = server.submit(&source, &target);
+    let id = server.submit_endless(&source, &target);
     let child = eventually("the job runs", || computing(server.pid()).pop());
     let response = server.client.post(format!("{}/v1/jobs/{id}/cancel", server.base)).send().unwrap();
     assert_eq!(response.status(), 202);
@@ -283,9 +283,7 @@ fn nothing_computes_after_a_cancellation_or_a_deadline() {
 
     let file = |bytes: &[u8]| Part::bytes(bytes.to_vec()).file_name("a.ply");
     let form = Form::new().part("source", file(&source)).part("target", file(&target));
-    // Sampling does not converge: 100,000 sweeps over all pairs of vertices and labels, more than 10^12 operations.
-    let parameters = r#"{"method": "gibbs", "inference": {"max_iterations": 100000}}"#;
-    let form = form.text("parameters", parameters).text("max_run_s", "1");
+    let form = form.text("parameters", ENDLESS).text("max_run_s", "1");
     let response = server.client.post(format!("{}/v1/jobs", server.base)).multipart(form).send().unwrap();
     let id = response.json::<Value>().unwrap()["id"].as_str().unwrap().to_owned();
     let child = eventually("the job runs", || computing(server.pid()).pop());
@@ -300,7 +298,7 @@ fn no_child_survives_the_service() {
     let folder = tempfile::tempdir().unwrap();
     let [source, target] = pair(&folder.path().join("pair"));
     let server = Server::start(&folder.path().join("data"), &ISOLATED);
-    server.submit(&source, &target);
+    server.submit_endless(&source, &target);
     eventually("the job runs", || computing(server.pid()).pop());
     let all = children(server.pid());
     assert!(all.len() >= 2, "one computes, and one is spare");
@@ -446,7 +444,7 @@ async fn a_job_beyond_its_memory_fails_alone_and_says_so() {
             if job["finished_at"].is_string() {
                 return job;
             }
-            assert!(began.elapsed() < Duration::from_secs(240), "{job}");
+            assert!(began.elapsed() < PATIENCE, "{job}");
             tokio::time::sleep(Duration::from_millis(20)).await;
         }
     };

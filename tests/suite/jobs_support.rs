@@ -1,6 +1,7 @@
 //! A scripted engine, controlled by the parameters of its jobs, and a service with this engine on a separate port and
 //! folder.
 
+use crate::patience::PATIENCE;
 use homolog::app::{self, App, Shutdown};
 use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::engine::{Answer, MethodDescription, Product, Resolved};
@@ -306,13 +307,18 @@ impl TestService {
             if done(&job) {
                 return job;
             }
-            assert!(began.elapsed() < Duration::from_secs(20), "still {job}");
+            assert!(began.elapsed() < PATIENCE, "still {job}");
             tokio::time::sleep(Duration::from_millis(20)).await;
         }
     }
 
     pub(crate) async fn until_final(&self, id: &str) -> Value {
         self.until(id, |job| !["queued", "running"].contains(&job["state"].as_str().unwrap())).await
+    }
+
+    /// Trace points of a job, at most 10,000.
+    pub(crate) async fn n_traced(&self, id: &str) -> usize {
+        self.json(&format!("/v1/jobs/{id}/trace?limit=10000")).await["points"].as_array().unwrap().len()
     }
 
     pub(crate) async fn until_running(&self, id: &str) -> Value {

@@ -33,6 +33,7 @@ mod long_polls;
 mod metrics;
 mod numbering;
 mod orthanc;
+mod patience;
 mod phantom;
 mod process;
 mod prometheus;

@@ -2,6 +2,7 @@
 
 use super::cli::homolog;
 use super::jobs_support::{TestService, form};
+use crate::patience::PATIENCE;
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -125,7 +126,7 @@ async fn described() -> (BTreeSet<String>, BTreeMap<String, String>) {
         if text.contains("homolog_webhook_attempt_seconds") {
             break text;
         }
-        assert!(began.elapsed() < std::time::Duration::from_secs(20), "{text}");
+        assert!(began.elapsed() < PATIENCE, "{text}");
         tokio::time::sleep(std::time::Duration::from_millis(100)).await;
     };
     service.end().await;
@@ -190,7 +191,7 @@ async fn idle_and_busy_workers_are_counted_over_processes() {
         let began = std::time::Instant::now();
         while (workers(&service, "busy").await, workers(&service, "idle").await) != (busy, idle) {
             let found = (workers(&service, "busy").await, workers(&service, "idle").await);
-            assert!(began.elapsed() < std::time::Duration::from_secs(20), "{found:?} instead of {:?}", (busy, idle));
+            assert!(began.elapsed() < PATIENCE, "{found:?} instead of {:?}", (busy, idle));
             tokio::time::sleep(std::time::Duration::from_millis(50)).await;
         }
     };

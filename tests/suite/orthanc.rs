@@ -2,6 +2,7 @@
 //! of each part.
 
 use super::jobs_support::TestService;
+use crate::patience::PATIENCE;
 use homolog::worker::match_engine::MatchEngine;
 use homolog_formats::write_zip;
 use homolog_run::intake::IntakeLimits;
@@ -63,7 +64,7 @@ impl Orthanc {
         let running = Running::start(Command::new(program.unwrap_or("Orthanc")).arg(self.folder.join("config.json")));
         let began = Instant::now();
         while self.client.get(format!("{}/system", self.base)).send().await.is_err() {
-            assert!(began.elapsed() < Duration::from_secs(30), "Orthanc does not answer");
+            assert!(began.elapsed() < PATIENCE, "Orthanc does not answer");
             tokio::time::sleep(Duration::from_millis(100)).await;
         }
         running
@@ -84,7 +85,7 @@ impl Orthanc {
         loop {
             match self.get(&format!("/instances/{instance}/metadata/1024")).await {
                 (200, text) => return String::from_utf8(text).unwrap(),
-                _ => assert!(began.elapsed() < Duration::from_secs(60), "nothing came back"),
+                _ => assert!(began.elapsed() < PATIENCE, "nothing came back"),
             }
             tokio::time::sleep(Duration::from_millis(100)).await;
         }
@@ -166,7 +167,7 @@ async fn a_registration_comes_back_to_the_study_whatever_is_restarted() {
     let first = bridge(&orthanc, "http://127.0.0.1:9");
     let began = Instant::now();
     while !fs::read_to_string(at("bridge.json")).is_ok_and(|state| state.contains(instance)) {
-        assert!(began.elapsed() < Duration::from_secs(20), "the bridge does not see the segmentation");
+        assert!(began.elapsed() < PATIENCE, "the bridge does not see the segmentation");
         tokio::time::sleep(Duration::from_millis(50)).await;
     }
     first.stop();

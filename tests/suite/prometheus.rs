@@ -2,6 +2,7 @@
 //! service.
 
 use super::jobs_support::TestService;
+use crate::patience::PATIENCE;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -90,7 +91,7 @@ impl Prometheus {
             {
                 return answer["data"]["result"].as_array().unwrap().clone();
             }
-            assert!(began.elapsed() < Duration::from_secs(60), "nothing for {expression}");
+            assert!(began.elapsed() < PATIENCE, "nothing for {expression}");
             tokio::time::sleep(Duration::from_millis(100)).await;
         }
     }
@@ -158,7 +159,7 @@ async fn a_prometheus_collects_evaluates_the_rules_and_answers_the_dashboard() {
         if rules.iter().all(|rule| rule["health"] != "unknown") {
             break rules;
         }
-        assert!(began.elapsed() < Duration::from_secs(30), "{rules:?}");
+        assert!(began.elapsed() < PATIENCE, "{rules:?}");
         tokio::time::sleep(Duration::from_millis(100)).await;
     };
     assert!(rules.len() > 5);

@@ -17,7 +17,7 @@ use std::path::Path;
 use std::time::Duration;
 
 /// Longest wait for something that takes a poll or two, on a loaded machine.
-const SOON: Duration = Duration::from_secs(30);
+const SOON: Duration = crate::patience::PATIENCE;
 
 /// Each promise, and the tests that check it, as module path and function.
 const PROMISES: &[(&str, &[&str])] = &[

@@ -90,7 +90,7 @@ async fn with_fixed_slots_each_job_gets_an_equal_share_of_the_cores() {
 async fn a_request_that_waits_for_a_short_job_is_answered_as_soon_as_it_ends() {
     let service = TestService::start(&[]).await;
     let mut waited = Vec::new();
-    for seed in 0..5 {
+    for seed in 0..20 {
         let form = super::jobs_support::form("source", "target", &json!({"points": 1, "seed": seed}));
         let began = std::time::Instant::now();
         let request = service.client.post(format!("{}/v1/jobs", service.base)).header("prefer", "wait=20");
@@ -98,8 +98,8 @@ async fn a_request_that_waits_for_a_short_job_is_answered_as_soon_as_it_ends() {
         assert_eq!(response.status(), 200, "it has ended");
         waited.push(began.elapsed());
     }
-    // The store is polled only every 250 ms while a request waits.
-    assert!(waited.iter().min().unwrap() < &Duration::from_millis(150), "{waited:?}");
+    // The store is polled only every 250 ms while a request waits: without a notice none is answered earlier.
+    assert!(waited.iter().min().unwrap() < &Duration::from_millis(250), "{waited:?}");
     service.end().await;
 }
 

@@ -1,6 +1,7 @@
 //! The server loop: slow headers, too many connections, shutdown, and host validation.
 
 use super::jobs_support::{TestService, form, problem};
+use crate::patience::PATIENCE;
 use serde_json::json;
 use std::time::{Duration, Instant};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -33,7 +34,7 @@ async fn answer(stream: &mut TcpStream) -> String {
 async fn until_closed(stream: &mut TcpStream) -> Vec<u8> {
     let mut rest = Vec::new();
     // A reset closes the connection too.
-    let _ = timeout(Duration::from_secs(5), stream.read_to_end(&mut rest)).await.expect("still open");
+    let _ = timeout(PATIENCE, stream.read_to_end(&mut rest)).await.expect("still open");
     rest
 }
 
@@ -46,20 +47,19 @@ async fn slow_headers_and_idle_connections_are_closed_at_their_timeout() {
     half.write_all(b"GET /healthz HTTP/1.1\r\nhos").await.unwrap();
     let dripping = tokio::spawn(async move {
         for byte in PING.iter().cycle() {
-            if trickle.write_all(&[*byte]).await.is_err() || began.elapsed() > Duration::from_secs(4) {
+            if trickle.write_all(&[*byte]).await.is_err() {
                 break;
             }
             tokio::time::sleep(Duration::from_millis(50)).await;
         }
-        began.elapsed()
     });
     assert!(ping(&mut idle).await.starts_with("HTTP/1.1 200"));
     for stream in [&mut silent, &mut half, &mut idle] {
         until_closed(stream).await;
     }
     let elapsed = began.elapsed();
-    assert!(elapsed > Duration::from_millis(900) && elapsed < Duration::from_secs(3), "{elapsed:?}");
-    assert!(dripping.await.unwrap() < Duration::from_secs(3), "a byte now and then gains no time");
+    assert!(elapsed > Duration::from_millis(900), "{elapsed:?}");
+    timeout(PATIENCE, dripping).await.expect("a byte now and then gains no time").unwrap();
     assert_eq!(service.json("/healthz").await["status"], "alive");
     service.end().await;
 }
@@ -76,7 +76,7 @@ async fn connections_beyond_the_limit_wait_for_one_to_close() {
     assert!(timeout(Duration::from_millis(300), third.read(&mut byte)).await.is_err(), "it waits");
     ping(&mut second).await;
     drop(first);
-    let served = timeout(Duration::from_secs(3), answer(&mut third)).await.expect("served when another closes");
+    let served = timeout(PATIENCE, answer(&mut third)).await.expect("served when another closes");
     assert!(served.starts_with("HTTP/1.1 200"), "{served}");
     drop((second, third));
     service.end().await;
@@ -84,12 +84,12 @@ async fn connections_beyond_the_limit_wait_for_one_to_close() {
 
 #[tokio::test]
 async fn idle_connections_do_not_delay_shutdown() {
-    let service = TestService::start(&["--header-timeout-s", "60"]).await;
+    let service = TestService::start(&["--header-timeout-s", "120"]).await;
     let (mut idle, silent) = (connect(&service).await, connect(&service).await);
     ping(&mut idle).await;
     let began = Instant::now();
     service.end().await;
-    assert!(began.elapsed() < Duration::from_secs(2), "{:?}", began.elapsed());
+    assert!(began.elapsed() < Duration::from_secs(60), "it waited for idle connections: {:?}", began.elapsed());
     assert!(until_closed(&mut idle).await.is_empty());
     drop(silent);
 }
@@ -111,14 +111,14 @@ async fn requests_in_progress_are_answered_before_shutdown() {
 
 #[tokio::test]
 async fn a_request_that_never_ends_is_cut_off_at_shutdown() {
-    let service = TestService::start(&[]).await;
+    let service = TestService::start(&["--stall-timeout-s", "120"]).await;
     let mut stuck = connect(&service).await;
     let head = "POST /v1/jobs HTTP/1.1\r\nhost: localhost\r\ncontent-type: multipart/form-data; boundary=x\r\ncontent-length: 1000\r\n\r\n--x\r\n";
     stuck.write_all(head.as_bytes()).await.unwrap();
     tokio::time::sleep(Duration::from_millis(200)).await;
     let began = Instant::now();
     service.end().await;
-    assert!(began.elapsed() < Duration::from_secs(8), "{:?}", began.elapsed());
+    assert!(began.elapsed() < Duration::from_secs(60), "it waited for the body: {:?}", began.elapsed());
     until_closed(&mut stuck).await;
 }
 

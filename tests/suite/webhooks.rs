@@ -1,6 +1,7 @@
 //! Webhooks, with receivers on loopback that record their requests.
 
 use super::jobs_support::{TestService, problem};
+use crate::patience::PATIENCE;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode};
 use axum::routing::post;
@@ -38,7 +39,7 @@ impl Receiver {
     async fn until(&self, n: usize) -> Vec<(HeaderMap, String)> {
         let began = Instant::now();
         while self.received().len() < n {
-            assert!(began.elapsed() < Duration::from_secs(15), "{} of {n}", self.received().len());
+            assert!(began.elapsed() < PATIENCE, "{} of {n}", self.received().len());
             tokio::time::sleep(Duration::from_millis(20)).await;
         }
         self.received()
@@ -71,7 +72,7 @@ async fn log(service: &TestService, id: &str, done: impl Fn(&[Value]) -> bool) -
         if done(&entries) {
             return entries;
         }
-        assert!(began.elapsed() < Duration::from_secs(15), "{entries:?}");
+        assert!(began.elapsed() < PATIENCE, "{entries:?}");
         tokio::time::sleep(Duration::from_millis(30)).await;
     }
 }

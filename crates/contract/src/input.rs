@@ -156,7 +156,7 @@ impl BodySide {
 pub struct InputReport {
     /// The file's format.
     pub format: InputFormat,
-    /// The space of coordinates that it declares; absent in results of earlier versions.
+    /// The space of coordinates that it declares.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub space: Option<InputSpace>,
     /// Topology of the surface before repairs.

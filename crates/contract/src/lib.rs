@@ -1,9 +1,5 @@
-//! The contract of a match: its [`parameters`] with their presets, its [`result`] document with the [`verdict`] on it,
-//! the report on each [`input`], and the size of a [`study`].
-//!
-//! The types are plain data. With the feature `serde` they have their JSON form, and requests are resolved over their
-//! presets; with `openapi` they also have the schemas of the service's OpenAPI document. This crate knows no algorithm,
-//! no file and no runtime.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod input;
 pub mod parameters;

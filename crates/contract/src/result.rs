@@ -25,10 +25,8 @@ pub struct ResultDocument {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub deformation: Option<DeformationDocument>,
     /// The rounds of inference, registration and feedback, in order; empty where no energy was minimized.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub rounds: Vec<RoundDocument>,
     /// Candidate poses that were compared, the best first; empty where there was only one.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub poses: Vec<PoseDocument>,
     /// Whether the answer can be relied on; absent where no smooth displacement field could be fitted to say so.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -38,7 +36,6 @@ pub struct ResultDocument {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub warnings: Vec<InputWarning>,
     /// Whether two semi-axes of a first-order ellipsoid are so nearly equal that the rotation about the third is arbitrary.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub ambiguous_axes: bool,
     /// The dense correspondence in columns, one entry for each source vertex.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -61,7 +58,6 @@ pub struct TransformDocument {
     pub matrix: [[f64; 4]; 4],
     /// Whether the matrix mirrors (its determinant is −1): one input was mirrored (`input.source.mirror`, `input.target.mirror`), or a
     /// reflection was allowed and fits better (`registration.allow_reflection`).
-    #[cfg_attr(feature = "serde", serde(default))]
     pub mirrored: bool,
     /// The reflection `S` of a transform that mirrors, in source coordinates, which comes first: 4×4, row-major, mm, its own inverse.
     /// In a plane where an input was mirrored, else in the origin (`S p = −p`). `matrix` is the rotation and
@@ -182,7 +178,6 @@ pub struct PoseDocument {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
     /// Whether the pose mirrors the source.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub mirrored: bool,
 }
 
@@ -325,10 +320,8 @@ pub struct SurfaceDistanceDocument {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct EnergyDocument {
     /// Number of variables of the energy: vertices of the source, or of its coarse level.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub n_variables: u32,
     /// Number of labels of each variable: vertices of the target, or of its coarse level.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub n_labels: u32,
     /// Energy of the labeling that minimizes every unary potential by itself.
     pub initial: f64,
@@ -336,7 +329,6 @@ pub struct EnergyDocument {
     pub r#final: f64,
     /// The same for each variable, which compares pairs of different sizes. By default about 2 for copies of a hippocampus and 3.5 to 4 for two
     /// subjects; 0 in results of versions that did not state it.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub per_variable: f64,
     /// Unary part of that energy.
     pub unary: f64,
@@ -346,7 +338,6 @@ pub struct EnergyDocument {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lower_bound: Option<f64>,
     /// Number of source edges whose two labels are not within the neighborhood radius; each costs the truncation.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub broken_edges: u32,
 }
 
@@ -360,13 +351,10 @@ pub struct ConsistencyDocument {
     /// Share of target vertices that correspond to at least one source vertex.
     pub coverage: f64,
     /// Source triangles (a quad counts as two) whose image is oriented inwards.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub flipped_triangles: u32,
     /// Source triangles whose image has two equal corners or no area.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub degenerate_triangles: u32,
     /// All source triangles.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub n_triangles: u32,
 }
 
@@ -411,16 +399,12 @@ pub struct Correspondences {
     pub inlier: Vec<bool>,
     /// Expected distance of the true corresponding point from the answered one: the spread of the belief over target
     /// vertices, or of the displacement field, mm.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub spread_mm: Vec<f64>,
     /// Whether and why the pair is an outlier.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub outlier: Vec<OutlierReason>,
     /// Vertices of the target triangle on which the image lies; of a quad, one of its halves.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub triangle: Vec<[u32; 3]>,
     /// Barycentric coordinates of the image on that triangle: weights of its three vertices, not negative, of sum 1.
-    #[cfg_attr(feature = "serde", serde(default))]
     pub barycentric: Vec<[f64; 3]>,
     /// The map from the target to the source, if requested: `source` has vertices of the target, `target` and `triangle`
     /// have vertices of the source.
@@ -522,19 +506,9 @@ impl Correspondences {
         text
     }
 
-    /// These columns, with columns missing in earlier versions filled in. `None` if the lengths of the others differ.
-    pub fn completed(mut self) -> Option<Self> {
+    /// These columns, if their lengths are equal; `None` otherwise.
+    pub fn checked(self) -> Option<Self> {
         let n = self.source.len();
-        if self.spread_mm.is_empty() {
-            self.spread_mm = vec![0.0; n];
-        }
-        if self.outlier.is_empty() {
-            self.outlier = vec![OutlierReason::None; n];
-        }
-        if self.triangle.is_empty() {
-            self.triangle = self.target.iter().map(|&x| [x; 3]).collect();
-            self.barycentric = vec![[1.0, 0.0, 0.0]; n];
-        }
         let lengths =
             [self.target.len(), self.confidence.len(), self.inlier.len(), self.spread_mm.len(), self.outlier.len()];
         (lengths == [n; 5] && [self.triangle.len(), self.barycentric.len()] == [n; 2]).then_some(self)

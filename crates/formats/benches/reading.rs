@@ -1,7 +1,7 @@
 //! Time to read large inputs: what a client waits for before a submission is answered.
 //!
 //! `make bench` runs this with the other benchmarks. The FreeSurfer and MGZ files are those of the folder that
-//! `HOMOLOG_REAL_DATA` names (`../shared/data` from the project's root unless set); without it their rows are left out. Every
+//! `HOMOLOG_REAL_DATA` names (`data/` of the project unless set); without it their rows are left out. Every
 //! figure is the median of 9 runs with its range, file in memory, one thread. No test depends on this benchmark.
 #![allow(clippy::unwrap_used, clippy::print_stdout, missing_docs)]
 
@@ -15,7 +15,7 @@ const RUNS: usize = 9;
 
 fn main() {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let data = std::env::var_os("HOMOLOG_REAL_DATA").map_or_else(|| root.join("../shared/data"), PathBuf::from);
+    let data = std::env::var_os("HOMOLOG_REAL_DATA").map_or_else(|| root.join("data"), PathBuf::from);
     println!("## Reading\n");
     println!("| file | MB | result | median ms | range ms | goal ms |");
     println!("|---|---|---|---|---|---|");

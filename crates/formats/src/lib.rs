@@ -1,12 +1,5 @@
-//! Readers and writers of meshes and label volumes, one module per format, and writers of the results of a match: pairs of
-//! vertices as tables ([`npy`], [`arrow`]), per-vertex values with their mesh, and transforms ([`transform`]).
-//!
-//! Input is untrusted. Readers take the whole file as a slice, and [`ReadLimits`]. Counts in a header are checked
-//! against the length of the file before anything is allocated, and every list that grows with the content is charged
-//! to a memory budget (`budget`), so a small file cannot cause a large allocation or a long computation, whatever it
-//! inflates to. Compressed files are decompressed to their end, and every checksum is verified. [`read`] detects the
-//! format from the bytes and uses the file's name only where they do not decide. Errors carry positions (lines,
-//! vertices, voxels), never text of the file, which may name a patient.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 mod archive;
 mod budget;

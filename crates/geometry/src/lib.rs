@@ -1,10 +1,8 @@
-//! Measurements on one surface: curvature in scale space ([`curvature`]), geodesic distances ([`geodesic`]), coarse
-//! levels ([`hierarchy`]), spherical harmonics ([`harmonics`]), the spectrum of the Laplacian ([`spectrum`]) and local
-//! descriptors ([`descriptors`]).
-//!
-//! This crate knows no energy, no correspondence with a second surface, no file and no runtime.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod canonical_form;
+pub mod center_line;
 pub mod curvature;
 pub mod descriptors;
 pub mod geodesic;

@@ -1,8 +1,7 @@
 //! Time of an iteration of belief propagation, beside a lower bound on that time for this machine.
 //!
 //! The lower bound is the longer of two times, both from rates measured in the same run with as many threads:
-//! - memory traffic: every message is read once and written once, 8 bytes per value or 4 where messages are stored in 16
-//!   bits, at the rate at which a plain loop reads, changes and writes an array in place that is far larger than the caches;
+//! - memory traffic: every message is read once and written once, 8 bytes per value, at the rate at which a plain loop reads, changes and writes an array in place that is far larger than the caches;
 //! - arithmetic on data in the first-level cache: the maxima, minima and sums of a value at the rate of maxima, its
 //!   products (those of the incoming messages included) at the rate of products, or all of them at the rate of both
 //!   together; the longest of the three. Not counted: transposing between rows and lanes, and normalizing, flooring and
@@ -21,8 +20,7 @@ use common::{pair, peak_mib, with_threads};
 use homolog_geometry::curvature::{ScaleSpace, gaussian_curvature};
 use homolog_mesh::{SurfaceMesh, canonicalize};
 use homolog_mrf::inference::{
-    ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpMethod, BpOptions, Evidence, MessageStorage,
-    Product, Update,
+    ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpOptions, Evidence, Product, Update,
 };
 use homolog_mrf::{Feature, FeaturePotentials, MrfModel, PairwisePotential, unary_potentials};
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
@@ -37,12 +35,7 @@ struct Size {
     edge_mm: f64,
     iterations: u32,
     runs: usize,
-    /// Storage of messages, with the number of bits per value.
-    storages: &'static [(MessageStorage, u32)],
 }
-
-const SINGLE: (MessageStorage, u32) = (MessageStorage::Single, 32);
-const HALF: (MessageStorage, u32) = (MessageStorage::Half, 16);
 
 fn surfaces(edge_mm: f64) -> [SurfaceMesh; 2] {
     <[SurfaceMesh; 2]>::from(pair(edge_mm)).map(|mesh| canonicalize(&mesh).mesh)
@@ -215,29 +208,27 @@ fn measure(surfaces: &[SurfaceMesh; 2], rings: &[usize], threads: usize, size: &
             let [single, products] = operations(&model, product);
             let seconds = [single / rates[0], products / rates[1], (single + products) / rates[2]];
             let operations_floor = seconds.into_iter().fold(0.0, f64::max) * values;
-            for &(storage, bits) in size.storages {
-                let measured = iteration(&model, product, storage, size.runs, size.iterations);
-                let in_cache = iteration(&patch, product, storage, size.runs, 50).seconds * values / patch_values;
-                let bytes = values * f64::from(bits) / 4.0;
-                let bytes_floor = bytes / bandwidth;
-                println!(
-                    "| {product:?} | {beta} | {rings} | {bits} | {} x {} | {threads} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} | {:.0} |",
-                    model.n_variables(),
-                    model.n_labels(),
-                    bandwidth / 1e9,
-                    rates[0] / 1e9,
-                    rates[1] / 1e9,
-                    rates[2] / 1e9,
-                    bytes_floor * 1e3,
-                    operations_floor * 1e3,
-                    in_cache * 1e3,
-                    measured.seconds * 1e3,
-                    bytes_floor.max(operations_floor) / measured.seconds,
-                    bytes / measured.seconds / 1e9,
-                    values * model.labels.mean_size() / measured.seconds / 1e9 / threads as f64,
-                    measured.peak_mib,
-                );
-            }
+            let measured = iteration(&model, product, size.runs, size.iterations);
+            let in_cache = iteration(&patch, product, size.runs, 50).seconds * values / patch_values;
+            let bytes = 8.0 * values;
+            let bytes_floor = bytes / bandwidth;
+            println!(
+                "| {product:?} | {beta} | {rings} | {} x {} | {threads} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} | {:.2} | {:.1} | {:.2} | {:.0} |",
+                model.n_variables(),
+                model.n_labels(),
+                bandwidth / 1e9,
+                rates[0] / 1e9,
+                rates[1] / 1e9,
+                rates[2] / 1e9,
+                bytes_floor * 1e3,
+                operations_floor * 1e3,
+                in_cache * 1e3,
+                measured.seconds * 1e3,
+                bytes_floor.max(operations_floor) / measured.seconds,
+                bytes / measured.seconds / 1e9,
+                values * model.labels.mean_size() / measured.seconds / 1e9 / threads as f64,
+                measured.peak_mib,
+            );
         }
     }
 }
@@ -255,11 +246,11 @@ struct Iteration {
     peak_mib: f64,
 }
 
-fn iteration(model: &MrfModel, product: Product, storage: MessageStorage, runs: usize, iterations: u32) -> Iteration {
+fn iteration(model: &MrfModel, product: Product, runs: usize, iterations: u32) -> Iteration {
     reset_peak();
     // A tolerance that is never reached: on small energies messages become constant to the bit, which would end the run.
     let options = BpOptions { product, damping: 0.5, floor: 1e-5, tolerance: -1.0 };
-    let mut bp = BeliefPropagation::with_method(model, options, BpMethod { storage, ..BpMethod::default() });
+    let mut bp = BeliefPropagation::new(model, options);
     bp.run(1, &Silent, |_| ()).unwrap();
     // Every run ends with a pass that only decodes; the difference of two runs contains only iterations.
     let mut run = |iterations| fastest(runs, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
@@ -279,8 +270,7 @@ fn every_pair() {
         let model = model(&surfaces(edge_mm), 2, 0.5);
         let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
         let sweep = |update| {
-            let method = BpMethod { update, ..BpMethod::default() };
-            let mut bp = BeliefPropagation::with_method(&model, options, method);
+            let mut bp = BeliefPropagation::with_update(&model, options, update);
             bp.run(1, &Silent, |_| ()).unwrap();
             let mut run = |iterations| fastest(3, || drop(bp.run(iterations, &Silent, |_| ()).unwrap()));
             (run(4) - run(1)) / 3.0
@@ -337,15 +327,12 @@ fn main() {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     every_pair();
     active_labels();
-    let sizes = [
-        Size { edge_mm: 0.8, iterations: 6, runs: 3, storages: &[SINGLE, HALF] },
-        Size { edge_mm: 0.39, iterations: 1, runs: 3, storages: &[SINGLE] },
-    ];
+    let sizes = [Size { edge_mm: 0.8, iterations: 6, runs: 3 }, Size { edge_mm: 0.39, iterations: 1, runs: 3 }];
     println!("\n## An iteration over all labels and its lower bound (fastest of {})\n", sizes[0].runs);
     println!(
-        "| algorithm | beta | r | bits | vertices | threads | memory, GB/s | maxima, 1e9/s | products, 1e9/s | both, 1e9/s | bound by bytes, ms \
+        "| algorithm | beta | r | vertices | threads | memory, GB/s | maxima, 1e9/s | products, 1e9/s | both, 1e9/s | bound by bytes, ms \
          | by operations, ms | all in cache, ms | iteration, ms | bound / iteration | messages, GB/s | label pairs, 1e9/s per core | peak memory, MiB |\n\
-         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+         |---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
     );
     for size in &sizes {
         let surfaces = surfaces(size.edge_mm);

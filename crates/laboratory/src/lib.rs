@@ -1,7 +1,4 @@
-//! Evaluation: synthetic subjects with known deformations and poses ([`phantom`]), and experiments that measure the
-//! accuracy of every method, with their report ([`experiment`]).
-//!
-//! This crate knows nothing of the service: no runtime, no database, no HTTP.
+#![doc = include_str!("../README.md")]
 
 pub mod experiment;
 pub mod phantom;

@@ -34,6 +34,9 @@ pub enum MatchError {
         /// Scale, mm.
         scale_mm: f64,
     },
+    /// The request names a published method, and the library was built without its feature `comparison`.
+    #[error("this build has no published methods: it lacks the feature comparison of homolog-matching")]
+    NoMethods,
     /// The spectrum for a heat or wave kernel signature could not be computed.
     #[error("the spectrum of the surface could not be computed: it has degenerate faces")]
     Spectrum,

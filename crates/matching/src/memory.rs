@@ -75,6 +75,5 @@ pub fn match_memory_bytes(source: (usize, usize), target_vertices: usize, parame
             (vertices, directed_edges) = (coarse, 6 * coarse);
         }
     }
-    let message_bytes = u64::from(parameters.inference.message_bits) / 8;
-    each + (message_bytes * (directed_edges + directed_edges / 4) + 4 * 2 * vertices) * labels
+    each + (4 * (directed_edges + directed_edges / 4) + 4 * 2 * vertices) * labels
 }

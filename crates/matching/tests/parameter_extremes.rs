@@ -43,7 +43,7 @@ fn factors() -> Vec<Factor> {
     }];
     for bounds in BOUNDS {
         let highest = SHORTER.iter().find(|(name, _)| *name == bounds.name).map_or(bounds.highest(), |(_, most)| *most);
-        let number = |value: f64| if bounds.multiple_of.is_some() { json!(value as u64) } else { json!(value) };
+        let number = |value: f64| if bounds.is_whole { json!(value as u64) } else { json!(value) };
         let mut values = vec![number(bounds.lowest()), number(highest)];
         if bounds.nullable {
             values.push(Value::Null);
@@ -68,7 +68,6 @@ fn factors() -> Vec<Factor> {
         &names(&["max_product", "sum_product", "tree_reweighted", "gibbs", "metropolis", "las_vegas", "none"]),
     );
     choice("inference.update", &names(&["sparse", "active", "full"]));
-    choice("inference.schedule", &names(&["flooding", "residual"]));
     choice("inference.annealing.schedule", &names(&["geometric", "logarithmic", "linear"]));
     choice("clamping.mode", &names(&["none", "hard", "soft"]));
     choice("registration.initial", &names(&["ransac", "search", "first_order_ellipsoid", "centroids"]));

@@ -1,9 +1,5 @@
-//! Surface meshes in millimeters: vertices, triangle or quad faces, and measurements on them.
-//!
-//! [`SurfaceMesh`] represents surfaces in all of homolog. It is valid by construction (finite coordinates, indices in
-//! range, no face that uses a vertex twice). [`topology`] checks whether it is closed, manifold and of genus 0.
-//! [`repair`] fixes faults that need no vertex to move. [`volume`] makes surfaces from label volumes, [`shapes`] from
-//! formulas.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 mod boundary;
 mod canonical;

@@ -1,21 +1,5 @@
-//! Published methods that match two surfaces in one rigid pose. Each maps the vertices of the source to points on or near
-//! the target, and can be compared with the Markov random field on equal terms.
-//!
-//! | module | method |
-//! |---|---|
-//! | [`cpd`] | coherent point drift |
-//! | [`bcpd`] | its Bayesian formulation |
-//! | [`nonrigid_icp`] | non-rigid iterative closest points with locally affine maps |
-//! | [`functional_map`] | functional maps, refined by ZoomOut |
-//! | [`spharm`] | SPHARM-PDM: equal parameters of spherical harmonics |
-//! | [`medial`] | medial coordinates of tubular structures |
-//! | [`diffeomorphic`] | the flow of a stationary velocity field, matched by varifolds |
-//!
-//! Lengths are dimensionless: every constant is in square roots of the area of a surface, and [`Frame`] converts
-//! surfaces to that unit and answers back. An answer therefore does not depend on the unit or size of the inputs, and
-//! scaling both by a power of two scales it to the bit. The same inputs give the same bits on any number of threads.
-//!
-//! This crate knows no energy, no search for a pose, no file and no runtime.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod bcpd;
 pub mod cpd;

@@ -1,45 +1,5 @@
-//! A Markov random field whose labels are the vertices of a graph, and minimizers of its energy.
-//!
-//! ```text
-//! E(x) = Σ_i θ_i(x_i) + Σ_{ij ∈ edges} θ_ij(x_i, x_j)          lower is better, no unit
-//!
-//! θ_i(x)     = α · mean_f [ w_f · min(|f_i − f'_x| / s_f, τ)^p ]                     unary
-//! θ_ij(x, y) = min(β · |ℓ_ij − d'(x, y)| / ℓ', T)   if y ∈ N_r(x),   else T          pairwise
-//! ```
-//!
-//! A **variable** `i` takes a **label** `x_i`; an assignment of all variables is a **labeling**. The unary potential
-//! `θ_i(x)` is the cost of label `x` for variable `i`. The pairwise potential `θ_ij(x, y)` is the cost of the labels of
-//! two neighboring variables. Unary potentials may come from any source; those of the formula compare vertex features
-//! `f` with robust scales `s_f` ([`unary_potentials`]), with weights `w_f` that may be learned ([`learned_weights`]).
-//! Labels are vertices of a graph themselves: `N_r(x)` are the labels within `r` edges of `x`, itself included, at
-//! distances `d'`. Neighboring variables whose labels are not neighbors pay the truncation `T`. Others pay for the
-//! difference between the length `ℓ_ij` of their edge and the distance of their labels, in units of `ℓ'`.
-//!
-//! In homolog the variables are the vertices of a source surface and the labels are the vertices of a target surface.
-//! This crate knows no surface: a model is a graph, a table of unary potentials and label neighborhoods. Minimizers are
-//! in [`inference`]: belief propagation, simulated annealing, Las Vegas, and a lower bound on the energy.
-//! Correspondences between surfaces that bend have an energy of their own, [`metric`].
-//!
-//! ```
-//! use homolog_mrf::inference::{BeliefPropagation, BpOptions, Product};
-//! use homolog_mrf::{MrfModel, PairwisePotential};
-//! use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
-//! use homolog_primitives::observe::Silent;
-//!
-//! // Three variables in a row and four labels in a row; the variable in the middle has a preference that is an outlier.
-//! let variables = EdgeGraph::from_edges(3, &[[0, 1], [1, 2]]);
-//! let label_graph = EdgeGraph::from_edges(4, &[[0, 1], [1, 2], [2, 3]]);
-//! let labels = LabelNeighborhoods::new(&label_graph, 1, |x, y| x.abs_diff(y) as f64);
-//! let unary = vec![0.0, 1.0, 2.0, 3.0, /* variable 1 */ 2.0, 1.0, 1.0, 0.0, /* variable 2 */ 2.0, 1.0, 0.0, 1.0];
-//! let pairwise = PairwisePotential { beta: 0.0, length_scale: 1.0, truncation: 5.0 };
-//! let model = MrfModel { lengths: vec![1.0; variables.n_directed_edges()], variables, labels, unary, pairwise };
-//!
-//! let options = BpOptions { product: Product::Max, damping: 0.0, floor: 1e-5, tolerance: 1e-6 };
-//! let outcome = BeliefPropagation::new(&model, options).run(20, &Silent, |_| ())?;
-//! assert_eq!(outcome.labeling, [0, 1, 2]);
-//! assert_eq!(outcome.energy.total(), 1.0);
-//! # Ok::<(), homolog_primitives::observe::Cancelled>(())
-//! ```
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod inference;
 pub mod metric;

@@ -1,8 +1,5 @@
-//! Shared parts of all numerics of homolog: graphs ([`graph`]), sets of points ([`points`]), progress reports and
-//! cancellation ([`observe`]), an exponential for vector loops ([`exponential`]), and a minimizer of smooth functions
-//! ([`lbfgs`]).
-//!
-//! This crate knows no surface, no energy, no file and no runtime.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod exponential;
 pub mod graph;

@@ -88,7 +88,7 @@ pub struct TracePoint {
     /// Number of the fit, from 0, in the order in which they begin: each begins from another start. Absent outside of fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub start: Option<u32>,
-    /// What `energy` and its parts measure; absent without an energy, and in traces of earlier versions. Only points of one quantity can
+    /// What `energy` and its parts measure; absent without an energy. Only points of one quantity can
     /// be compared, and only those of equal `round` and `start` are one series.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub quantity: Option<Quantity>,

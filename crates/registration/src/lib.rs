@@ -1,14 +1,5 @@
-//! Registration of point sets: rigid transforms and smooth displacement fields, from point pairs or from points alone.
-//!
-//! - From pairs: [`absolute_orientation()`] fits a rigid transform, [`procrustes()`] a similarity; [`ransac()`] finds
-//!   the largest set of pairs that agree on one rigid transform, from minimal samples of three.
-//! - From a rough pose: [`refine_icp`] refines it by closest points of the target, [`align_both_ways`] by closest
-//!   points of both surfaces.
-//! - From no pose: [`principal_axis_poses`] gives four candidates, [`pose_search()`] searches all rotations.
-//! - Non-rigid: [`alignment`] assigns points softly to each other, [`deformation`] fits a smooth displacement field.
-//!
-//! This crate knows no mesh: its inputs are points, normals, areas, pairs, and a [`ClosestSurfacePoint`] from the
-//! caller. Transforms are `target_from_source`: `p' = R p + t`, mm.
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 mod absolute_orientation;
 pub mod alignment;

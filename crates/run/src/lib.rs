@@ -1,11 +1,4 @@
-//! One match from uploaded bytes to the result document, used by both the worker and the command line.
-//!
-//! The numerical crates read no clock; their phases are timed here, and their outcome gets its provenance here.
-//! Surfaces prepared for one match may be kept for further matches ([`SurfaceCache`]).
-//!
-//! **Vertex indices.** Every vertex index of a result refers to the uploaded mesh or, for a label volume, to the
-//! surface made from it; [`RunOutput`] has both surfaces. Vertices of an upload that no face uses, that a repair drops,
-//! or that are merged into another have no row and occur in no column ([`homolog_mesh::Numbering`]).
+#![doc = include_str!("../README.md")]
 
 mod colors;
 mod doubts;

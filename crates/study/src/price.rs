@@ -10,7 +10,7 @@ use crate::memory::{measures, permutations};
 use crate::model::n_folds;
 use homolog_contract::parameters::{
     Algorithm, ClampingMode, CurvatureEstimator, DisplacementMode, FeatureKind, FeatureParameters, MatchParameters,
-    MessageSchedule, Refinement, Update,
+    Refinement, Update,
 };
 use homolog_contract::study::StudySize;
 use std::time::Duration;
@@ -56,10 +56,8 @@ const OF_MESSAGE: f64 = 1.2e-9;
 const OF_NEAR_LABEL: f64 = 1.5e-11;
 /// The same for each of all labels, with the update `full`.
 const OF_ANY_LABEL: f64 = 4.5e-11;
-/// Factors on that for an energy with distances (`energy.beta`), for the schedule `residual`, and for tree-reweighted messages and
-/// bounds.
+/// Factors on that for an energy with distances (`energy.beta`), and for tree-reweighted messages and bounds.
 const WITH_DISTANCES: f64 = 2.5;
-const RESIDUAL: f64 = 4.0;
 const DUAL: f64 = 5.0;
 /// Seconds for each variable in a sweep of a sampler.
 const OF_GIBBS: f64 = 1.2e-6;
@@ -117,10 +115,7 @@ fn iteration_seconds(parameters: &MatchParameters, variables: f64, labels: f64, 
     let passed = |is_full| message_seconds(parameters, labels, edges, is_full);
     match i.algorithm {
         Algorithm::None => 0.0,
-        Algorithm::MaxProduct | Algorithm::SumProduct => {
-            let scheduled = if i.schedule == MessageSchedule::Residual { RESIDUAL } else { 1.0 };
-            scheduled * passed(i.update == Update::Full)
-        }
+        Algorithm::MaxProduct | Algorithm::SumProduct => passed(i.update == Update::Full),
         Algorithm::TreeReweighted => DUAL * passed(false),
         Algorithm::Gibbs => OF_GIBBS * variables,
         Algorithm::Metropolis => OF_METROPOLIS * variables,

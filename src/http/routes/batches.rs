@@ -4,8 +4,7 @@ use super::jobs::job_list;
 use super::{batch_id, page};
 use crate::http::auth::{Reader, Rights, Submitter};
 use crate::http::fields::Fields;
-use crate::http::input_wire::{SubmittedInputDocument, input_or_id, maybe_input_or_id};
-use crate::http::json_fault::INPUT_SHAPE;
+use crate::http::input_wire::{SubmittedInputDocument, input, maybe_input};
 use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem, ProblemDocument};
@@ -43,7 +42,7 @@ const NAMED_FAULTS: usize = 16;
 #[serde(deny_unknown_fields)]
 pub(crate) struct BatchSubmissionDocument {
     /// The target of every job, or its source with `template_as`.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input_or_id")]
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input")]
     #[schema(value_type = Option<SubmittedInputDocument>)]
     pub(crate) template: Option<SubmittedInputDocument>,
     /// What the template is in every job; `target` if absent. With `source` the rows of every answer are the vertices of the
@@ -106,13 +105,8 @@ pub(crate) enum TemplateSide {
 #[serde(deny_unknown_fields)]
 pub(crate) struct SubjectDocument {
     /// The surface that is moved onto the template, or onto which the template is moved (`template_as`).
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input_or_id")]
-    #[schema(value_type = Option<SubmittedInputDocument>)]
-    pub(crate) input: Option<SubmittedInputDocument>,
-    /// The former form of `input`, the id of an upload; accepted until 0.3.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(deprecated)]
-    pub(crate) mesh_id: Option<String>,
+    #[serde(deserialize_with = "input")]
+    pub(crate) input: SubmittedInputDocument,
     /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(max_length = 200)]
@@ -132,10 +126,10 @@ pub(crate) struct SubjectDocument {
 #[serde(deny_unknown_fields)]
 pub(crate) struct PairDocument {
     /// The surface that is moved onto the target.
-    #[serde(deserialize_with = "input_or_id")]
+    #[serde(deserialize_with = "input")]
     pub(crate) source: SubmittedInputDocument,
     /// The surface that stays in place.
-    #[serde(deserialize_with = "input_or_id")]
+    #[serde(deserialize_with = "input")]
     pub(crate) target: SubmittedInputDocument,
     /// The client's own id of the job.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -310,16 +304,7 @@ impl Inputs<'_> {
     }
 
     fn subject(&mut self, number: usize, subject: SubjectDocument, template: Option<usize>) -> Option<BatchPair> {
-        let SubjectDocument { input, mesh_id, external_ref, tags, labels } = subject;
-        let input = match (input, mesh_id) {
-            (Some(input), None) => input,
-            (None, mesh_id @ Some(_)) => SubmittedInputDocument { mesh_id, ..SubmittedInputDocument::default() },
-            _ => {
-                let detail = format!("is required: {INPUT_SHAPE}");
-                self.faults.push(FieldError::new(format!("/subjects/{number}/input"), "missing", detail));
-                return None;
-            }
-        };
+        let SubjectDocument { input, external_ref, tags, labels } = subject;
         let input = self.take(&format!("subjects/{number}/input"), input);
         let inputs = if self.form == Form::TemplateAsSource { [template, input] } else { [input, template] };
         self.described(number, inputs, external_ref, tags, labels)

@@ -13,12 +13,13 @@ on_both!(
     a18_idle_followers_do_not_delay_shutdown,
 );
 
-/// How long a shutdown may take beyond its grace period, on a loaded machine.
-const ENDING: Duration = Duration::from_secs(8);
+/// How long a shutdown may take beyond its grace period: less than half of the time that the jobs below or a longer grace period
+/// would take.
+const ENDING: Duration = Duration::from_secs(60);
 
 async fn a05_a_job_that_finishes_within_the_grace_period_succeeds(backend: Backend) {
     let site = Site::open(backend);
-    let mut node = site.serve(&["--shutdown-grace-ms", "20000"]);
+    let mut node = site.serve(&["--shutdown-grace-ms", "120000"]);
     let client = site.client(&node);
     let id = client.submit(steps(60, 25)).await;
     let waiting = client.submit(steps(1, 1)).await;
@@ -26,7 +27,7 @@ async fn a05_a_job_that_finishes_within_the_grace_period_succeeds(backend: Backe
     node.terminate();
     let (status, took) = node.ended().await;
     assert!(status.success(), "{status}");
-    assert!(took < Duration::from_secs(12), "it waits for the job, not for the whole grace period: {took:?}");
+    assert!(took < ENDING, "it waits for the job, not for the whole grace period: {took:?}");
     let later = site.serve(&["--workers", "0"]);
     let client = site.client(&later);
     let job = client.job(&id).await;
@@ -39,14 +40,14 @@ async fn a05_a_job_that_outlasts_the_grace_period_is_requeued(backend: Backend) 
 }
 
 async fn a05_a_second_signal_requeues_at_once(backend: Backend) {
-    ends_and_requeues(backend, "60000", 2, Duration::ZERO).await;
+    ends_and_requeues(backend, "150000", 2, Duration::ZERO).await;
 }
 
 async fn ends_and_requeues(backend: Backend, grace_ms: &str, n_signals: u32, at_least: Duration) {
     let site = Site::open(backend);
     let mut node = site.serve(&["--shutdown-grace-ms", grace_ms]);
     let client = site.client(&node);
-    let id = client.submit(steps(1_000, 25)).await;
+    let id = client.submit(steps(6_000, 25)).await;
     client.until_traced(&id, 5, SOON).await;
     for _ in 0..n_signals {
         node.terminate();

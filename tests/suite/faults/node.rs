@@ -23,7 +23,7 @@ const ARGUMENTS: &str = "FAULTS_NODE_ARGUMENTS";
 /// Prefix of the line with its address that a node prints when it is ready.
 const READY: &str = "node-is-ready";
 /// Maximum time for a node to start or to exit, on a loaded machine.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = crate::patience::PATIENCE;
 
 /// A node; killed when dropped.
 pub(crate) struct Node {

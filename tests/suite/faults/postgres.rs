@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 /// Maximum time for the server to start or to stop, on a loaded machine and after a crash.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = crate::patience::PATIENCE;
 
 /// A cluster with its server.
 pub(crate) struct Cluster {

@@ -47,7 +47,8 @@ async fn a19_resources_of_another_tenant_are_not_found(backend: Backend) {
         assert!(sent.status().is_success(), "{path}: {}", sent.status());
         id_of(&sent.json().await.unwrap())
     };
-    let batch = post("/v1/batches", json!({"pairs": [{"source": mesh, "target": mesh}]})).await;
+    let batch =
+        post("/v1/batches", json!({"pairs": [{"source": {"mesh_id": mesh}, "target": {"mesh_id": mesh}}]})).await;
     let webhook = post("/v1/webhooks", json!({"url": "https://example.org/", "states": ["dead"]})).await;
     let key_id = post("/v1/keys", json!({"role": "reader"})).await;
     // The other tenant has a job too, so that its lists are not empty.

@@ -50,8 +50,8 @@ async fn lists_and_labels_of_any_length_take_little_memory() {
     for (path, body) in [
         ("/v1/jobs", format!(r#"{{"source":{{}},"target":{{}},"tags":{{{tags}}}}}"#)),
         ("/v1/batches", format!(r#"{{"pairs":[],"tags":{{{tags}}}}}"#)),
-        ("/v1/batches", filled(r#"{"template":"x","subjects":["#, r#"{"mesh_id":"","tags":{"a":""}},"#, "]}")),
-        ("/v1/batches", filled(r#"{"pairs":["#, r#"{"source":"","target":""},"#, "]}")),
+        ("/v1/batches", filled(r#"{"template":{},"subjects":["#, r#"{"input":{},"tags":{"a":""}},"#, "]}")),
+        ("/v1/batches", filled(r#"{"pairs":["#, r#"{"source":{},"target":{}},"#, "]}")),
     ] {
         let answer = post(&client, path, body).await;
         let (status, text) = (answer.status().as_u16(), answer.text().await.unwrap());

@@ -31,11 +31,11 @@ async fn metadata_has_the_same_limits_on_every_way_in(backend: Backend) {
     for (field, value) in &wrong {
         let mut job = json!({"source": input, "target": input});
         job[field] = value.clone();
-        let mut batch = json!({"pairs": [{"source": mesh, "target": mesh}]});
+        let mut batch = json!({"pairs": [{"source": input, "target": input}]});
         batch[field] = value.clone();
-        let mut pair = json!({"pairs": [{"source": mesh, "target": mesh}, {"source": mesh, "target": mesh}]});
+        let mut pair = json!({"pairs": [{"source": input, "target": input}, {"source": input, "target": input}]});
         pair["pairs"][1][field] = value.clone();
-        let mut subject = json!({"template": mesh, "subjects": [{"mesh_id": mesh}]});
+        let mut subject = json!({"template": input, "subjects": [{"input": input}]});
         subject["subjects"][0][field] = value.clone();
         for (path, body, pointer) in [
             ("/v1/jobs", job, format!("/{field}")),
@@ -52,7 +52,7 @@ async fn metadata_has_the_same_limits_on_every_way_in(backend: Backend) {
     let half = |prefix: &str| -> Value {
         (0..40).map(|i| (format!("{prefix}{i}"), json!(""))).collect::<serde_json::Map<_, _>>().into()
     };
-    let body = json!({"tags": half("a"), "pairs": [{"source": mesh, "target": mesh, "tags": half("b")}]});
+    let body = json!({"tags": half("a"), "pairs": [{"source": input, "target": input, "tags": half("b")}]});
     let answer = client.http.post(format!("{}/v1/batches", node.base)).json(&body).send().await.unwrap();
     assert_eq!(problem(answer, 422, "invalid-request").await["errors"][0]["pointer"], "/pairs/0/tags");
     assert!(client.list().await.is_empty(), "nothing was stored");

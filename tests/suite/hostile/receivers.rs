@@ -3,12 +3,16 @@
 use crate::faults::on_both;
 use crate::faults::site::{Backend, Site};
 use crate::jobs_support::{TestService, form};
+use crate::patience::PATIENCE;
 use axum::extract::State;
 use axum::http::HeaderMap;
 use axum::routing::post;
 use serde_json::{Value, json};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
+
+/// The time limit of an attempt to deliver.
+const ATTEMPT: Duration = Duration::from_secs(15);
 
 /// A receiver that accepts everything and records the times.
 #[derive(Clone, Default)]
@@ -88,8 +92,8 @@ async fn a_dead_receiver_delays_only_its_own_deliveries(backend: Backend) {
     for seed in 0..3 {
         submit(&alive, seed).await;
     }
-    let waited = receiver.until(3, Duration::from_secs(10)).await;
-    assert!(waited < Duration::from_secs(8), "{waited:?}");
+    let waited = receiver.until(3, PATIENCE).await;
+    assert!(waited < ATTEMPT, "they waited for an attempt of the others: {waited:?}");
 }
 
 #[tokio::test]
@@ -122,7 +126,7 @@ async fn the_trace_context_of_a_submission_is_sent_on() {
     let context = "00-0af7651916cd43dd8448eb211c80319c-b7ad6b7169203331-01";
     let submit = service.client.post(format!("{}/v1/jobs", service.base)).header("traceparent", context);
     submit.multipart(form("a", "b", &json!({}))).send().await.unwrap();
-    receiver.until(1, Duration::from_secs(10)).await;
+    receiver.until(1, PATIENCE).await;
     assert_eq!(receiver.0.lock().unwrap()[0].1["traceparent"], context);
     service.end().await;
 }

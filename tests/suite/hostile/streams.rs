@@ -2,6 +2,7 @@
 
 use crate::jobs_support::{TestService, form, problem};
 use crate::keys::keys;
+use crate::patience::PATIENCE;
 use serde_json::{Value, json};
 use std::time::Duration;
 
@@ -25,7 +26,7 @@ async fn event_streams_and_long_polls_of_a_client_are_limited() {
     // The service notices a closed connection at its next write.
     let began = std::time::Instant::now();
     while service.client.get(&events).send().await.unwrap().status() != 200 {
-        assert!(began.elapsed() < Duration::from_secs(25), "the place of a closed stream is not free again");
+        assert!(began.elapsed() < PATIENCE, "the place of a closed stream is not free again");
         tokio::time::sleep(Duration::from_millis(200)).await;
     }
     service.end().await;

@@ -1,6 +1,7 @@
 //! Patient data and secrets that remain in the data directory.
 
 use crate::jobs_support::{TestService, form};
+use crate::patience::PATIENCE;
 use serde_json::{Value, json};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -65,7 +66,7 @@ async fn nothing_of_a_deleted_job_is_left_in_the_files() {
             if found.is_empty() {
                 break;
             }
-            assert!(began.elapsed() < Duration::from_secs(15), "{text} is still in {found:?}");
+            assert!(began.elapsed() < PATIENCE, "{text} is still in {found:?}");
             tokio::time::sleep(Duration::from_millis(200)).await;
         }
     }
@@ -121,7 +122,7 @@ async fn secrets_of_webhooks_are_sealed() {
     let service = TestService::start_in(folder, &["--workers", "0"]).await;
     let began = Instant::now();
     while !files_with(service.folder.path(), &secret).is_empty() {
-        assert!(began.elapsed() < Duration::from_secs(15));
+        assert!(began.elapsed() < PATIENCE);
         tokio::time::sleep(Duration::from_millis(200)).await;
     }
     service.end().await;

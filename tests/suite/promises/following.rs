@@ -35,10 +35,8 @@ async fn a_job_is_followed_by_polls_trace_and_events(backend: Backend) {
     // A long poll answers when the job changes, before its time is over.
     let first = served.get(&path).await;
     let etag = first.headers()["etag"].to_str().unwrap().to_owned();
-    let began = Instant::now();
     let polled = served.send(Method::GET, &format!("{path}?wait=20"), &[("if-none-match", &etag)], None).await;
-    assert_eq!(polled.status(), 200);
-    assert!(began.elapsed() < Duration::from_secs(15), "{:?}", began.elapsed());
+    assert_eq!(polled.status(), 200, "not 304 at the end of the wait");
     // The trace grows while the job runs, in order; progress does not decrease.
     let (mut after, mut seqs, mut fraction, mut n_live) = (0, Vec::new(), 0.0, 0);
     loop {
@@ -76,12 +74,10 @@ async fn cancel_is_prompt_and_a_retry_is_a_new_job(backend: Backend) {
     let id = served.client.submit(steps(1000, 20)).await;
     served.client.until_running(&id, SOON).await;
     problem(served.client.delete(&format!("/v1/jobs/{id}")).await.unwrap(), 409, "job-active").await;
-    let began = Instant::now();
     served.expect(served.client.post(&format!("/v1/jobs/{id}/cancel")).await.unwrap(), 202).await;
     let job = served.client.until_final(&id, SOON).await;
     assert_eq!((&job["state"], &job["cancel_requested"]), (&json!("cancelled"), &json!(true)));
-    // Under 1 s on an otherwise idle machine.
-    assert!(began.elapsed() < Duration::from_secs(3), "{:?}", began.elapsed());
+    assert!(served.client.seqs(&id).await.len() < 1000, "before its end");
     let retried = served.client.post(&format!("/v1/jobs/{id}/retry")).await.unwrap();
     assert!(retried.headers().contains_key("location"));
     let retried = served.expect(retried, 202).await;
@@ -105,16 +101,15 @@ async fn an_idle_stream_is_kept_alive_and_ends_with_the_service(backend: Backend
     let mut parts = stream.bytes_stream();
     let began = Instant::now();
     loop {
-        let part =
-            tokio::time::timeout(Duration::from_secs(40), parts.next()).await.expect("a comment").unwrap().unwrap();
+        let part = tokio::time::timeout(SOON, parts.next()).await.expect("a comment").unwrap().unwrap();
         if part.starts_with(b":") {
             break;
         }
-        assert!(began.elapsed() < Duration::from_secs(60));
+        assert!(began.elapsed() < SOON);
     }
     served.node.terminate();
     let ended = async { while let Some(Ok(_)) = parts.next().await {} };
-    tokio::time::timeout(Duration::from_secs(20), ended).await.expect("the stream ends with the service");
+    tokio::time::timeout(SOON, ended).await.expect("the stream ends with the service");
     assert!(served.node.ended().await.0.success());
 }
 

@@ -144,7 +144,8 @@ async fn every_list_is_paged(backend: Backend) {
     let closed = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
     let (mut batch, mut webhook) = (String::new(), String::new());
     for n in 0..3 {
-        let pairs: Vec<_> = (0..3).map(|k| json!({"source": meshes[k], "target": meshes[n]})).collect();
+        let pairs: Vec<_> =
+            (0..3).map(|k| json!({"source": {"mesh_id": meshes[k]}, "target": {"mesh_id": meshes[n]}})).collect();
         batch = text(&served.expect(served.post("/v1/batches", &json!({"pairs": pairs})).await, 202).await, "id")
             .to_owned();
         let url = json!({"url": format!("http://{closed}/{n}"), "states": ["dead"]});
@@ -187,7 +188,8 @@ async fn jobs_are_filtered_and_ordered(backend: Backend) {
     }
     served.client.post(&format!("/v1/jobs/{}/cancel", ids[0])).await.unwrap();
     let (one, two) = (served.upload("one").await, served.upload("two").await);
-    let batch = served.post("/v1/batches", &json!({"pairs": [{"source": one, "target": two}]})).await;
+    let batch =
+        served.post("/v1/batches", &json!({"pairs": [{"source": {"mesh_id": one}, "target": {"mesh_id": two}}]})).await;
     let batch = text(&served.expect(batch, 202).await, "id").to_owned();
     let found = async |query: &str| -> Vec<String> {
         let list = served.expect(served.get(&format!("/v1/jobs?{query}")).await, 200).await;
@@ -249,11 +251,11 @@ async fn a_batch_is_created_and_cancelled_as_a_whole(backend: Backend) {
     let template = served.upload("template").await;
     let (one, two) = (served.upload("one").await, served.upload("two").await);
     let missing = format!("blake3:{}", "0".repeat(64));
-    let wrong = json!({"pairs": [{"source": one, "target": template}, {"source": missing, "target": template}]});
+    let wrong = json!({"pairs": [{"source": {"mesh_id": one}, "target": {"mesh_id": template}}, {"source": {"mesh_id": missing}, "target": {"mesh_id": template}}]});
     let refused = served.post("/v1/batches", &wrong).await;
     assert!([404, 422].contains(&refused.status().as_u16()), "{}", refused.status());
     assert!(served.client.list().await.is_empty(), "no part of it was created");
-    let against = json!({"template": template, "subjects": [{"mesh_id": one}, {"mesh_id": two}]});
+    let against = json!({"template": {"mesh_id": template}, "subjects": [{"input": {"mesh_id": one}}, {"input": {"mesh_id": two}}]});
     let made = served.post("/v1/batches", &against).await;
     assert!(made.headers().contains_key("location"));
     let batch = served.expect(made, 202).await;
@@ -264,7 +266,7 @@ async fn a_batch_is_created_and_cancelled_as_a_whole(backend: Backend) {
     let cancelled = served.client.post(&format!("{path}/cancel")).await.unwrap();
     assert_eq!(served.expect(cancelled, 202).await["cancelled"], 2);
     assert_eq!(served.expect(served.get(&path).await, 200).await["counts"], json!({"cancelled": 2}));
-    let pairs = json!({"pairs": [{"source": one, "target": two}, {"source": two, "target": one}]});
+    let pairs = json!({"pairs": [{"source": {"mesh_id": one}, "target": {"mesh_id": two}}, {"source": {"mesh_id": two}, "target": {"mesh_id": one}}]});
     assert_eq!(served.expect(served.post("/v1/batches", &pairs).await, 202).await["n_jobs"], 2);
 }
 

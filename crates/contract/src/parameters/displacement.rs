@@ -8,29 +8,12 @@
 pub struct DisplacementParameters {
     /// Whether and how the source is deformed before corresponding points are determined.
     pub mode: DisplacementMode,
-    /// Learned prior of the structure that is applied. There is none at present: `any` is the only value that requests may
-    /// state.
-    #[cfg_attr(feature = "serde", serde(default = "without_prior"))]
-    pub anatomy: Anatomy,
     /// What is tried for surfaces that are bent, folded or articulated against each other.
-    #[cfg_attr(feature = "serde", serde(default = "near_isometry"))]
     pub bending: Bending,
     /// Which rigid poses fits begin from.
-    #[cfg_attr(feature = "serde", serde(default = "from_labels"))]
     pub starts: FieldStarts,
     /// What confidences and spreads rest on.
-    #[cfg_attr(feature = "serde", serde(default = "from_posterior"))]
     pub uncertainty: Uncertainty,
-}
-
-#[cfg(feature = "serde")]
-fn from_labels() -> FieldStarts {
-    FieldStarts::Labels
-}
-
-#[cfg(feature = "serde")]
-fn from_posterior() -> Uncertainty {
-    Uncertainty::Posterior
 }
 
 /// Which rigid poses the fit of a displacement field begins from.
@@ -57,12 +40,6 @@ pub enum Uncertainty {
     Residual,
 }
 
-/// Value of stored jobs that predate this parameter: they had no other choice.
-#[cfg(feature = "serde")]
-fn near_isometry() -> Bending {
-    Bending::NearIsometry
-}
-
 /// How a surface that no rigid motion brings close to the other is matched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -78,25 +55,6 @@ pub enum Bending {
     /// of a Markov random field without a pose, by belief propagation from bending-invariant forms and from extremities. Tried only where rigid starts disagree, and
     /// between closed surfaces with four limbs or more; kept where they then fit better.
     NearIsometry,
-}
-
-/// Value of stored jobs that predate this parameter: they used no prior.
-#[cfg(feature = "serde")]
-fn without_prior() -> Anatomy {
-    Anatomy::Any
-}
-
-/// Learned prior of a structure, for what the shape of a surface alone leaves undetermined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum Anatomy {
-    /// No prior: any structure.
-    Any,
-    /// A prior of the anterior-posterior border of the hippocampus, which version 0.1 applied by default. It occurs in
-    /// stored results of that version; requests that state it are refused.
-    Hippocampus,
 }
 
 /// Whether the source is deformed before corresponding points are determined.

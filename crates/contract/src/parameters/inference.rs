@@ -11,14 +11,6 @@ pub struct InferenceParameters {
     pub algorithm: Algorithm,
     /// Label pairs that belief propagation considers when it updates a message.
     pub update: Update,
-    /// Order in which belief propagation updates messages.
-    pub schedule: MessageSchedule,
-    /// Bits with which belief propagation stores each number of a message, 32 or 16; it computes with 32. With 16 (half
-    /// precision) messages take half the memory; beliefs are off by about a thousandth, and labels of nearly equal belief
-    /// may be exchanged. 16 needs the `flooding` schedule and the `sparse` or `full` update.
-    #[cfg_attr(feature = "serde", serde(default = "default_message_bits"))]
-    #[cfg_attr(feature = "openapi", schema(minimum = 16, maximum = 32, multiple_of = 16))]
-    pub message_bits: u32,
     /// Vertices of the coarse levels on which the energy of larger surfaces is minimized; corresponding points of all
     /// vertices are determined after registration. `null`: every source vertex is a variable, every target vertex a label.
     #[cfg_attr(feature = "openapi", schema(minimum = 100, maximum = 20000))]
@@ -42,11 +34,6 @@ pub struct InferenceParameters {
     /// Iterations of the dual method that computes a lower bound of the energy; 0: no bound is computed.
     #[cfg_attr(feature = "openapi", schema(minimum = 0, maximum = 10000))]
     pub lower_bound_iterations: u32,
-}
-
-#[cfg(feature = "serde")]
-fn default_message_bits() -> u32 {
-    32
 }
 
 /// Algorithm that minimizes the energy.
@@ -85,18 +72,6 @@ pub enum Update {
     Active,
     /// All pairs: the same messages as `sparse` in more time, for small surfaces and for comparison.
     Full,
-}
-
-/// Order in which belief propagation updates messages.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-pub enum MessageSchedule {
-    /// All messages at once, from those of the previous iteration.
-    Flooding,
-    /// The message that would change most comes first.
-    Residual,
 }
 
 /// Temperatures of simulated annealing.

@@ -17,11 +17,10 @@ mod request;
 #[cfg(feature = "serde")]
 mod resolve;
 
-pub use displacement::{Anatomy, Bending, DisplacementMode, DisplacementParameters, FieldStarts, Uncertainty};
+pub use displacement::{Bending, DisplacementMode, DisplacementParameters, FieldStarts, Uncertainty};
 pub use energy::{CurvatureEstimator, EnergyParameters, FeatureKind, FeatureParameters, PairwiseDistance, Precisions};
 pub use inference::{
-    Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters,
-    MessageSchedule, Update,
+    Algorithm, AnnealingParameters, ClampingMode, ClampingParameters, CoolingSchedule, InferenceParameters, Update,
 };
 pub use input::{InputParameters, LabelChoice, Repair, SideParameters, SurfaceKind};
 pub use landmarks::Landmark;

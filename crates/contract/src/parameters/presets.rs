@@ -2,11 +2,10 @@
 
 use super::energy::{default_scales, default_support};
 use super::{
-    Algorithm, Anatomy, AnnealingParameters, Bending, ClampingMode, ClampingParameters, CoolingSchedule,
-    CurvatureEstimator, DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters,
-    FieldStarts, InferenceParameters, InitialPose, InputParameters, MatchParameters, MessageSchedule, MinimalEstimator,
-    OrientationSolver, PairwiseDistance, Precisions, Refinement, RegistrationParameters, SideParameters, SurfaceKind,
-    Uncertainty, Update,
+    Algorithm, AnnealingParameters, Bending, ClampingMode, ClampingParameters, CoolingSchedule, CurvatureEstimator,
+    DisplacementMode, DisplacementParameters, EnergyParameters, FeatureKind, FeatureParameters, FieldStarts,
+    InferenceParameters, InitialPose, InputParameters, MatchParameters, MinimalEstimator, OrientationSolver,
+    PairwiseDistance, Precisions, Refinement, RegistrationParameters, SideParameters, SurfaceKind, Uncertainty, Update,
 };
 
 /// A named preset.
@@ -16,8 +15,7 @@ use super::{
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Method {
     /// The default: a search of all orientations and a smooth displacement field; between surfaces that bend, belief propagation over
-    /// distances along them. `fast` and `accurate`, which gave the same answers, are accepted in its place.
-    #[cfg_attr(feature = "serde", serde(alias = "fast", alias = "accurate"))]
+    /// distances along them.
     Balanced,
     /// Belief propagation over all vertices on Gaussian curvature and RANSAC, round by round, with the settings that the thesis varies at
     /// their best.
@@ -238,8 +236,6 @@ fn balanced() -> MatchParameters {
             // Belief propagation over curvature changed no answer of the ablation (docs/defaults.md).
             algorithm: Algorithm::None,
             update: Update::Sparse,
-            schedule: MessageSchedule::Flooding,
-            message_bits: 32,
             coarse_vertices: Some(400),
             max_iterations: 12,
             damping: 0.5,
@@ -268,7 +264,6 @@ fn balanced() -> MatchParameters {
         },
         displacement: DisplacementParameters {
             mode: DisplacementMode::Smooth,
-            anatomy: Anatomy::Any,
             bending: Bending::NearIsometry,
             starts: FieldStarts::Labels,
             uncertainty: Uncertainty::Posterior,

@@ -2,10 +2,7 @@
 //! parameters. The check of a request, the tests of the extremes and descriptions of the parameters all read these
 //! tables.
 
-use super::{
-    Algorithm, Anatomy, ClampingMode, InitialPose, LabelChoice, MatchParameters, MessageSchedule, ParameterError,
-    Repair, Update,
-};
+use super::{Algorithm, ClampingMode, InitialPose, LabelChoice, MatchParameters, ParameterError, Repair};
 
 /// The indices of a value in the lists that its name passes through, and the value; `None` stands for `null`.
 type Visit<'v> = &'v mut dyn FnMut(&[usize], Option<f64>);
@@ -27,8 +24,8 @@ pub struct Bounds {
     pub unit: &'static str,
     /// Whether `null` is also allowed.
     pub nullable: bool,
-    /// `Some(1)` for whole numbers, `Some(k)` for whole multiples of `k`, `None` for any number.
-    pub multiple_of: Option<u32>,
+    /// Whether only whole numbers are allowed.
+    pub is_whole: bool,
     values: fn(&MatchParameters, Visit<'_>),
 }
 
@@ -42,13 +39,13 @@ impl Bounds {
             exclusive_maximum: false,
             unit: "",
             nullable: false,
-            multiple_of: None,
+            is_whole: false,
             values,
         }
     }
 
     const fn whole(name: &'static str, minimum: u32, maximum: u32, values: fn(&MatchParameters, Visit<'_>)) -> Self {
-        Bounds { multiple_of: Some(1), ..Bounds::number(name, minimum as f64, maximum as f64, values) }
+        Bounds { is_whole: true, ..Bounds::number(name, minimum as f64, maximum as f64, values) }
     }
 
     const fn above_minimum(self) -> Self {
@@ -71,7 +68,7 @@ impl Bounds {
     pub fn allows(&self, value: f64) -> bool {
         let above = if self.exclusive_minimum { value > self.minimum } else { value >= self.minimum };
         let below = if self.exclusive_maximum { value < self.maximum } else { value <= self.maximum };
-        above && below && self.multiple_of.is_none_or(|k| value % f64::from(k) == 0.0)
+        above && below && (!self.is_whole || value.fract() == 0.0)
     }
 
     /// The lowest allowed number.
@@ -89,13 +86,12 @@ impl Bounds {
         let Bounds { minimum, maximum, unit, .. } = *self;
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         let or_null = if self.nullable { ", or null" } else { "" };
-        let demand = match (self.multiple_of, self.exclusive_minimum, self.exclusive_maximum) {
-            (Some(step), ..) if step > 1 => format!("must be {minimum} or {maximum}"),
+        let demand = match (self.exclusive_minimum, self.exclusive_maximum) {
             _ if maximum == f64::MAX => "must be a finite number".to_owned(),
-            (_, true, true) => format!("must be more than {minimum}, below {maximum}{unit}"),
-            (_, true, false) => format!("must be more than {minimum}, at most {maximum}{unit}"),
-            (_, false, true) => format!("must be from {minimum} to below {maximum}{unit}"),
-            (_, false, false) => format!("must be from {minimum} to {maximum}{unit}"),
+            (true, true) => format!("must be more than {minimum}, below {maximum}{unit}"),
+            (true, false) => format!("must be more than {minimum}, at most {maximum}{unit}"),
+            (false, true) => format!("must be from {minimum} to below {maximum}{unit}"),
+            (false, false) => format!("must be from {minimum} to {maximum}{unit}"),
         };
         demand + or_null
     }
@@ -104,7 +100,7 @@ impl Bounds {
 impl Bounds {
     /// The requirement on a value that is not a number.
     pub(super) fn demand_of_number(&self) -> String {
-        let number = if self.multiple_of.is_some() { "must be a whole number" } else { "must be a number" };
+        let number = if self.is_whole { "must be a whole number" } else { "must be a number" };
         match self.demand().strip_prefix("must be ") {
             Some(rest) if rest.starts_with("from") => format!("{number} {rest}"),
             Some(rest) if rest.starts_with("more than") => format!("{number} of {rest}"),
@@ -168,10 +164,6 @@ pub const BOUNDS: &[Bounds] = &[
     }),
     Bounds::number("energy.minkowski_p", 0.1, 10.0, |p, visit| visit(&[], Some(p.energy.minkowski_p))),
     Bounds::number("energy.feature_cap", 0.0, 100.0, |p, visit| visit(&[], Some(p.energy.feature_cap))).above_minimum(),
-    Bounds {
-        multiple_of: Some(16),
-        ..Bounds::whole("inference.message_bits", 16, 32, |p, visit| visit(&[], Some(p.inference.message_bits.into())))
-    },
     Bounds::whole("inference.coarse_vertices", 100, 20_000, |p, visit| {
         visit(&[], p.inference.coarse_vertices.map(f64::from));
     })
@@ -331,11 +323,6 @@ impl MatchParameters {
             "/input/repair",
             "simplify needs the number of vertices in input.max_vertices",
         );
-        check(
-            self.displacement.anatomy == Anatomy::Any,
-            "/displacement/anatomy",
-            "must be any: the learned prior of the hippocampus is no longer applied",
-        );
         let i = &self.inference;
         if let (Some(first), Some(last)) = (i.annealing.initial_temperature, i.annealing.final_temperature) {
             check(
@@ -364,19 +351,6 @@ impl MatchParameters {
             !alone || i.lower_bound_iterations == 0,
             "/inference/lower_bound_iterations",
             "must be 0 where inference.algorithm is none: there is no energy to bound; name an algorithm",
-        );
-        check(
-            i.update == Update::Sparse || i.schedule == MessageSchedule::Flooding,
-            "/inference/schedule",
-            "must be flooding unless inference.update is sparse",
-        );
-        let passes_messages = matches!(i.algorithm, Algorithm::MaxProduct | Algorithm::SumProduct);
-        check(
-            i.message_bits != 16
-                || (passes_messages && i.update != Update::Active && i.schedule == MessageSchedule::Flooding),
-            "/inference/message_bits",
-            "must be 32 unless inference.algorithm is max_product or sum_product, inference.update sparse or full, and \
-             inference.schedule flooding",
         );
     }
 }
@@ -410,7 +384,6 @@ mod tests {
         p.features[0].radius_mm = Some(0.0);
         p.energy.truncation = Some(61.0);
         p.inference.damping = 1.0;
-        p.inference.message_bits = 8;
         p.inference.coarse_vertices = Some(99);
         p.inference.target_energy = Some(f64::INFINITY);
         p.landmarks = vec![Landmark { source_mm: [0.0, 2e6, 0.0], target_mm: [0.0; 3], sigma_mm: f64::NAN }];
@@ -420,7 +393,6 @@ mod tests {
             ("/features/1/scales_mm/2", "must be from 0 to 10000 mm"),
             ("/features/0/radius_mm", "must be more than 0, at most 100 mm, or null"),
             ("/energy/truncation", "must be more than 0, at most 60, or null"),
-            ("/inference/message_bits", "must be 16 or 32"),
             ("/inference/coarse_vertices", "must be from 100 to 20000, or null"),
             ("/inference/damping", "must be from 0 to below 1"),
             ("/inference/target_energy", "must be a finite number, or null"),

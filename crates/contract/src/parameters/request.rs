@@ -3,8 +3,8 @@
 //! the check of a request enforces.
 
 use super::ranges::{BOUNDS, LENGTHS};
-use super::{Anatomy, LabelChoice, MatchParameters};
-use serde_json::{Map, Number, Value, json};
+use super::{LabelChoice, MatchParameters};
+use serde_json::{Map, Number, Value};
 use std::collections::BTreeMap;
 use utoipa::openapi::schema::Schema;
 use utoipa::openapi::{Ref, RefOr};
@@ -60,9 +60,6 @@ pub fn parameter_schemas() -> BTreeMap<String, RefOr<Schema>> {
             schema.insert(minimum.to_owned(), number(bounds.minimum));
             schema.insert(maximum.to_owned(), number(bounds.maximum));
         }
-        if let Some(step) = bounds.multiple_of.filter(|&step| step > 1) {
-            schema.insert("multipleOf".to_owned(), step.into());
-        }
         if !bounds.unit.is_empty() {
             schema.insert("x-unit".to_owned(), bounds.unit.into());
         }
@@ -95,12 +92,6 @@ pub fn parameter_schemas() -> BTreeMap<String, RefOr<Schema>> {
     if let Some(root) = schemas.get_mut(PartialParameters::name().as_ref()) {
         root["description"] =
             "Parameters that differ from the preset that `method` names; `{}` for the defaults.".into();
-    }
-    // Jobs of earlier versions may have another value; requests may not.
-    let partial_displacement = partial("DisplacementParameters");
-    if let Some(anatomy) = schemas.get_mut(&partial_displacement).and_then(|s| s.pointer_mut("/properties/anatomy")) {
-        let description = anatomy["description"].take();
-        *anatomy = json!({"type": "string", "enum": [Anatomy::Any], "description": description});
     }
     let read = |(name, schema): (String, Value)| Some((name, serde_json::from_value(schema).ok()?));
     schemas.into_iter().filter_map(read).collect()

@@ -223,7 +223,6 @@ mod tests {
         let at = |request: Value| resolve(&request).unwrap_err()[0].pointer.clone();
         assert_eq!(at(json!({"inference": {"damping": 1.0}})), "/inference/damping");
         assert_eq!(at(json!({"energy": {"alpha": "two"}})), "/energy/alpha");
-        assert_eq!(at(json!({"inference": {"message_bits": 8}})), "/inference/message_bits");
         assert_eq!(
             at(json!({"features": [{"kind": "gaussian_curvature", "scales_mm": [-1.0]}]})),
             "/features/0/scales_mm/0"
@@ -271,24 +270,6 @@ mod tests {
         for method in Method::ALL {
             let stored = serde_json::to_value(preset(method)).unwrap();
             assert_eq!(resolve(&stored), Ok(preset(method)));
-        }
-    }
-
-    #[test]
-    fn half_precision_messages_require_flooding_over_all_labels() {
-        let resolved = |inference: Value| resolve(&json!({"inference": inference}));
-        for update in ["sparse", "full"] {
-            for algorithm in ["max_product", "sum_product"] {
-                let request = json!({"message_bits": 16, "update": update, "algorithm": algorithm});
-                assert_eq!(resolved(request).unwrap().inference.message_bits, 16);
-            }
-        }
-        for request in [json!({"update": "active"}), json!({"schedule": "residual"}), json!({"algorithm": "gibbs"})] {
-            assert!(resolved(request.clone()).is_ok());
-            let mut request = request;
-            request["message_bits"] = 16.into();
-            let faults = resolved(request).unwrap_err();
-            assert_eq!(faults[0].pointer, "/inference/message_bits");
         }
     }
 }

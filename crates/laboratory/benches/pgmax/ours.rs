@@ -11,7 +11,7 @@ use common::{pair, peak_mib, with_threads};
 use homolog_contract::parameters::resolve;
 use homolog_matching::energy_model;
 use homolog_mrf::MrfModel;
-use homolog_mrf::inference::{BeliefPropagation, BpMethod, BpOptions, Product, Update};
+use homolog_mrf::inference::{BeliefPropagation, BpOptions, Product, Update};
 use homolog_primitives::observe::Silent;
 use serde_json::json;
 use std::path::Path;
@@ -69,13 +69,10 @@ fn export(folder: &Path) {
 
 fn measure(update: &str, threads: usize, iterations: u32) {
     let model = model();
-    let method = BpMethod {
-        update: match update {
-            "sparse" => Update::Sparse,
-            "full" => Update::Full,
-            other => panic!("no update {other}"),
-        },
-        ..BpMethod::default()
+    let update = match update {
+        "sparse" => Update::Sparse,
+        "full" => Update::Full,
+        other => panic!("no update {other}"),
     };
     // With a tolerance of 0 no run ends early.
     let options = BpOptions { product: Product::Max, damping: 0.5, floor: 1e-5, tolerance: 0.0 };
@@ -83,7 +80,7 @@ fn measure(update: &str, threads: usize, iterations: u32) {
     let mut energy = f64::NAN;
     with_threads(threads, || {
         for _ in 0..RUNS {
-            let mut propagation = BeliefPropagation::with_method(&model, options, method);
+            let mut propagation = BeliefPropagation::with_update(&model, options, update);
             let began = Instant::now();
             let outcome = propagation.run(iterations, &Silent, |_| ()).unwrap();
             taken.push(began.elapsed().as_secs_f64() / f64::from(iterations));

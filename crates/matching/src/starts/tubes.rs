@@ -1,16 +1,16 @@
 //! Tubular surfaces straightened along their center lines.
 //!
 //! The inner side of a bend is shorter than the outer side, so a bent tube is not nearly isometric to a straight one.
-//! In the coordinates of its center line ([`homolog_methods::medial`]) it is the same tube, up to the precision of the
+//! In the coordinates of its center line ([`homolog_geometry::center_line`]) it is the same tube, up to the precision of the
 //! line: for capsules bent by 150° the difference is 0.6 edges (root mean square), 0.3 to 0.4 away from the ends.
 
 use super::start_pose::StartPose;
 use crate::pair::surfaces::Surfaces;
 use homolog_contract::parameters::{Bending, Landmark};
+use homolog_geometry::center_line::{CenterLine, CenterLineOptions};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
-use homolog_methods::medial::{CenterLine, MedialOptions};
 use homolog_registration::alignment::OrientedPoints;
 use homolog_registration::{PoseSearchOptions, pose_search};
 use nalgebra::{Point3, Vector3};
@@ -32,7 +32,7 @@ pub(crate) struct Tube<'a> {
 impl<'a> Tube<'a> {
     /// `None` for a surface that is not tubular.
     fn new(surface: &'a SurfaceMesh) -> Option<Tube<'a>> {
-        let line = CenterLine::of(surface, &MedialOptions::default())?;
+        let line = CenterLine::of(surface, &CenterLineOptions::default())?;
         line.slenderness().filter(|ratio| *ratio > TUBULAR)?;
         let straight = surface.with_vertices(line.straight).ok()?;
         let closest = [ClosestPointIndex::new(surface), ClosestPointIndex::new(&straight)];
@@ -73,7 +73,7 @@ pub(crate) fn carried(
 /// Ratio of the distance between the ends of the center line to its length, on a coarser level.
 fn straightness(surface: &SurfaceMesh) -> Option<f64> {
     let level = coarsen(surface, N_COARSE);
-    let line = CenterLine::of(level.as_ref().map_or(surface, |level| &level.mesh), &MedialOptions::default());
+    let line = CenterLine::of(level.as_ref().map_or(surface, |level| &level.mesh), &CenterLineOptions::default());
     Some(line?.straightness())
 }
 

@@ -4,13 +4,11 @@ use super::active_labels::ActiveLabels;
 use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
 use super::propagation::Propagation;
 use crate::pair::vertex_map::VertexMap;
-use homolog_contract::parameters::{
-    Algorithm, CoolingSchedule, InferenceParameters, MatchParameters, MessageSchedule, Update,
-};
+use homolog_contract::parameters::{Algorithm, CoolingSchedule, InferenceParameters, MatchParameters, Update};
 use homolog_contract::result::{ConvergenceDocument, ConvergenceStatus, StopReason};
 use homolog_mrf::inference::{
-    self, AnnealingOptions, BeliefPropagation, BpMethod, BpOptions, DualBound, DualOptions, DualOutcome, DualStop,
-    LasVegas, LasVegasOptions, Product, Sampler, SearchOutcome, SearchRun, SearchStop, SearchSweep, SimulatedAnnealing,
+    self, AnnealingOptions, BeliefPropagation, BpOptions, DualBound, DualOptions, DualOutcome, DualStop, LasVegas,
+    LasVegasOptions, Product, Sampler, SearchOutcome, SearchRun, SearchStop, SearchSweep, SimulatedAnnealing,
     local_confidence,
 };
 use homolog_mrf::{Labeling, MrfModel};
@@ -73,21 +71,11 @@ fn belief_propagation<'a>(
 ) -> BeliefPropagation<'a> {
     let p = &parameters.inference;
     let options = bp_options(parameters, product);
-    let method = BpMethod {
-        update: match p.update {
-            Update::Sparse | Update::Active => inference::Update::Sparse,
-            Update::Full => inference::Update::Full,
-        },
-        schedule: match p.schedule {
-            MessageSchedule::Flooding => inference::Schedule::Flooding,
-            MessageSchedule::Residual => inference::Schedule::Residual,
-        },
-        storage: match p.message_bits {
-            16 => inference::MessageStorage::Half,
-            _ => inference::MessageStorage::Single,
-        },
+    let update = match p.update {
+        Update::Sparse | Update::Active => inference::Update::Sparse,
+        Update::Full => inference::Update::Full,
     };
-    BeliefPropagation::observed(model, options, method, observer)
+    BeliefPropagation::observed(model, options, update, observer)
 }
 
 fn annealing<'a>(model: &'a MrfModel, p: &InferenceParameters, sampler: Sampler) -> SimulatedAnnealing<'a> {

@@ -3,8 +3,7 @@
 //! Source: Pearl 1988; Kschischang, Frey, Loeliger 2001 (sum-product, max-product); the sparse update over a
 //! truncated pairwise potential follows the thesis, chapter 5.
 //!
-//! [`BeliefPropagation`] owns the messages (`|E→| · n` numbers of 32 or 16 bits, and slightly more when flooding) and
-//! is reused, warm, between clamping rounds. An iteration is `|E→|` message updates: `O(|E→| n k̄)` with the sparse
+//! [`BeliefPropagation`] owns the messages (slightly more than `|E→| · n` numbers of 32 bits) and is reused, warm, between clamping rounds. An iteration is `|E→|` message updates: `O(|E→| n k̄)` with the sparse
 //! update, `O(|E→| n²)` with the full update.
 
 use super::beliefs::{belief_row, belief_spread};
@@ -12,24 +11,20 @@ use super::block_plan::LANES;
 use super::flooding::Flooding;
 use super::kernel::Kernel;
 use super::label_order::LabelOrder;
-use super::message_value::MessageValue;
-use super::options::{BpMethod, BpOptions, MessageStorage, Schedule};
+use super::options::{BpOptions, Update};
 use super::outcome::{BpIteration, BpOutcome};
 use super::pair_table::{PairTable, edge_factors};
-use super::residual::Residual;
 use super::unary_factors::exponentiate;
 use crate::MrfModel;
-use half::f16;
 use homolog_primitives::observe::{Cancelled, Observer, Silent, checkpoint_within};
 use nalgebra::Point3;
 use rayon::prelude::*;
-use std::borrow::Cow;
 
 /// Messages and scratch of belief propagation over one model.
 pub struct BeliefPropagation<'a> {
     model: &'a MrfModel,
     options: BpOptions,
-    method: BpMethod,
+    update: Update,
     /// The order of the labels in all rows.
     order: LabelOrder,
     table: PairTable,
@@ -39,54 +34,39 @@ pub struct BeliefPropagation<'a> {
     phi: Vec<f32>,
     /// For every directed edge `i → j` the edge `j → i`.
     reverse: Vec<u32>,
-    engine: Engine,
+    flooding: Flooding,
     /// Asked while messages and unary factors are set.
     observer: &'a dyn Observer,
 }
 
-/// The messages, and the further state of a schedule.
-enum Engine {
-    Flooding(Flooding<f32>),
-    HalfFlooding(Flooding<f16>),
-    Residual { residual: Residual, messages: Vec<f32> },
-}
-
 impl<'a> BeliefPropagation<'a> {
-    /// Flat messages over `model`, sparse update, flooding. Allocates the memory of an iteration.
+    /// Flat messages over `model`, sparse update. Allocates the memory of an iteration.
     pub fn new(model: &'a MrfModel, options: BpOptions) -> Self {
-        Self::with_method(model, options, BpMethod::default())
+        Self::with_update(model, options, Update::default())
     }
 
-    /// Flat messages over `model` that are updated by `method`.
-    pub fn with_method(model: &'a MrfModel, options: BpOptions, method: BpMethod) -> Self {
-        Self::observed(model, options, method, &Silent)
+    /// Flat messages over `model` that are updated over the label pairs of `update`.
+    pub fn with_update(model: &'a MrfModel, options: BpOptions, update: Update) -> Self {
+        Self::observed(model, options, update, &Silent)
     }
 
     /// The same; [`Self::reset`] and [`Self::set_bias`], which this calls, leave off when `observer` asks to stop. A run with that
     /// observer then returns [`Cancelled`] at once.
-    pub fn observed(model: &'a MrfModel, options: BpOptions, method: BpMethod, observer: &'a dyn Observer) -> Self {
+    pub fn observed(model: &'a MrfModel, options: BpOptions, update: Update, observer: &'a dyn Observer) -> Self {
         let graph = &model.variables;
         let stride = stride(model.n_labels());
         let (beta, scale) = (model.pairwise.beta, model.pairwise.length_scale);
         let factors: Vec<_> = model.lengths.iter().map(|&length| edge_factors(beta, scale, length)).collect();
-        let engine = match (method.schedule, method.storage) {
-            (Schedule::Flooding, MessageStorage::Single) => Engine::Flooding(Flooding::new(graph, &factors, stride)),
-            (Schedule::Flooding, MessageStorage::Half) => Engine::HalfFlooding(Flooding::new(graph, &factors, stride)),
-            (Schedule::Residual, _) => {
-                let messages = vec![0.0; stride * graph.n_directed_edges()];
-                Engine::Residual { residual: Residual::new(graph, factors), messages }
-            }
-        };
         let order = LabelOrder::new(model.labels.graph(), stride);
         let mut this = BeliefPropagation {
             options,
-            method,
+            update,
             table: PairTable::new(&order.reorder(&model.labels), beta, scale),
             order,
             stride,
             phi: vec![0.0; model.n_variables() * stride],
             reverse: graph.reverse_edges(),
-            engine,
+            flooding: Flooding::new(graph, &factors, stride),
             observer,
             model,
         };
@@ -100,18 +80,7 @@ impl<'a> BeliefPropagation<'a> {
         // Beyond the labels a message stays at its floor from the first iteration on.
         let mut flat = vec![self.options.floor; self.stride];
         flat[..self.model.n_labels()].fill(1.0);
-        match &mut self.engine {
-            Engine::Flooding(flooding) => flooding.fill(&flat, self.observer),
-            Engine::HalfFlooding(flooding) => flooding.fill(&flat, self.observer),
-            Engine::Residual { messages, .. } => {
-                let mut rows = messages.chunks_exact_mut(self.stride.max(1));
-                let _left_off = rows.try_for_each(|row| {
-                    checkpoint_within(self.observer)?;
-                    row.copy_from_slice(&flat);
-                    Ok::<_, Cancelled>(())
-                });
-            }
-        }
+        self.flooding.fill(&flat, self.observer);
     }
 
     /// Sets the unary potentials to those of the model plus a bias: `add(i, row)` may add to the row of variable `i`.
@@ -152,19 +121,13 @@ impl<'a> BeliefPropagation<'a> {
         let kernel = Kernel {
             model: self.model,
             options: self.options,
-            method: self.method,
+            update: self.update,
             order: &self.order,
             table: &self.table,
             stride: self.stride,
             phi: &self.phi,
         };
-        match &mut self.engine {
-            Engine::Flooding(flooding) => flooding.run(kernel, max_iterations, observer, on_iteration),
-            Engine::HalfFlooding(flooding) => flooding.run(kernel, max_iterations, observer, on_iteration),
-            Engine::Residual { residual, messages } => {
-                residual.run(kernel, messages, max_iterations, observer, on_iteration)
-            }
-        }
+        self.flooding.run(kernel, max_iterations, observer, on_iteration)
     }
 
     /// The belief of `variable` over all labels from the present messages, summing to 1: its marginal where sum-product
@@ -179,17 +142,12 @@ impl<'a> BeliefPropagation<'a> {
     /// The message `j → i` of the directed edge `i → j`, over the labels; its largest value is 1 up to damping.
     #[cfg(test)]
     pub(super) fn incoming_message(&self, edge: usize) -> Vec<f32> {
-        self.order.by_label(&self.incoming_row(edge))
+        self.order.by_label(self.incoming_row(edge))
     }
 
     /// The message `j → i` of the directed edge `i → j`, in the order of the rows.
-    fn incoming_row(&self, edge: usize) -> Cow<'_, [f32]> {
-        let (edge, n) = (self.reverse[edge] as usize, self.model.n_labels());
-        match &self.engine {
-            Engine::Flooding(flooding) => MessageValue::widen(&flooding.message(edge)[..n]),
-            Engine::HalfFlooding(flooding) => MessageValue::widen(&flooding.message(edge)[..n]),
-            Engine::Residual { messages, .. } => Cow::Borrowed(&messages[edge * self.stride..][..n]),
-        }
+    fn incoming_row(&self, edge: usize) -> &[f32] {
+        &self.flooding.message(self.reverse[edge] as usize)[..self.model.n_labels()]
     }
 
     /// [`belief_spread`] of every variable over the positions of the labels, mm. Cost `O(|E→| n)`, on all cores.
@@ -208,7 +166,6 @@ impl<'a> BeliefPropagation<'a> {
 /// Length of a row over `n` labels: an odd number of whole vectors. Many rows are read at once, label by label; rows a
 /// power of two apart would evict each other from the nearest cache, which took a third more time at 3,072 values per
 /// row than at 3,088.
-/// at 3,072 values a row than at 3,088.
 fn stride(n: usize) -> usize {
     (n.div_ceil(LANES) | 1) * LANES
 }

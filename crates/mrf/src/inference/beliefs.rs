@@ -29,12 +29,6 @@ fn divide(values: &mut [f64], by: f64) {
     }
 }
 
-/// Label and value of the largest belief; ties go to the lowest label.
-pub(super) fn peak(belief: &[f64]) -> (u32, f64) {
-    let label = (0..belief.len()).fold(0, |best, x| if belief[x] > belief[best] { x } else { best });
-    (label as u32, belief.get(label).copied().unwrap_or(0.0))
-}
-
 /// Square root of the belief-weighted mean squared distance from the belief-weighted mean position, in the unit of
 /// `positions` (mm). 0 for a belief in one label, and for a belief without weight.
 ///

@@ -7,7 +7,6 @@
 
 use super::block_plan::{BLOCK_LANES, BlockVariable};
 use super::lanes::{CHAIN_SCALE, CHUNK, ChunkRow, ChunkRows, LINE_BYTES, Lanes};
-use super::message_value::MessageValue;
 use super::vector::{Simd, Vector, WIDTH, dispatch};
 
 /// Number of neighbors up to which all products of a variable are computed at once, in registers.
@@ -73,9 +72,9 @@ dispatch! {
     /// `rows` has the labels of a row, negated, padded with −∞, and the unary factors of every variable of the block.
     /// `messages` has the incoming rows of all variables, one variable after the other. All rows are as long as
     /// `cavity`, a multiple of [`WIDTH`], and the factors are 0 in the padding. Empty lanes hold arbitrary numbers.
-    pub(super) fn cavity_products<M: MessageValue>(
+    pub(super) fn cavity_products(
         rows: (&[f32], &[&[f32]]),
-        messages: &[&[M]],
+        messages: &[&[f32]],
         variables: &[BlockVariable],
         scratch: (&mut Chains, bool),
         cavity: &mut [Lanes],
@@ -83,10 +82,10 @@ dispatch! {
 }
 
 #[inline(always)]
-fn products<S: Simd, M: MessageValue>(
+fn products<S: Simd>(
     simd: S,
     (labels, phi): (&[f32], &[&[f32]]),
-    messages: &[&[M]],
+    messages: &[&[f32]],
     variables: &[BlockVariable],
     (chains, with_sums): (&mut Chains, bool),
     cavity: &mut [Lanes],
@@ -103,13 +102,13 @@ fn products<S: Simd, M: MessageValue>(
             let phi = (&labels[start..start + transposed.len()], &phi[at][start..start + transposed.len()]);
             // The degrees of nearly all vertices of triangle and quad meshes.
             match incoming.len() {
-                3 => multiply_few::<S, M, 3>(simd, phi, incoming, (at, of), chains, start),
-                4 => multiply_few::<S, M, 4>(simd, phi, incoming, (at, of), chains, start),
-                5 => multiply_few::<S, M, 5>(simd, phi, incoming, (at, of), chains, start),
-                6 => multiply_few::<S, M, 6>(simd, phi, incoming, (at, of), chains, start),
-                7 => multiply_few::<S, M, 7>(simd, phi, incoming, (at, of), chains, start),
-                8 => multiply_few::<S, M, 8>(simd, phi, incoming, (at, of), chains, start),
-                _ => multiply_many::<S, M>(simd, phi, incoming, (at, of), chains, start),
+                3 => multiply_few::<S, 3>(simd, phi, incoming, (at, of), chains, start),
+                4 => multiply_few::<S, 4>(simd, phi, incoming, (at, of), chains, start),
+                5 => multiply_few::<S, 5>(simd, phi, incoming, (at, of), chains, start),
+                6 => multiply_few::<S, 6>(simd, phi, incoming, (at, of), chains, start),
+                7 => multiply_few::<S, 7>(simd, phi, incoming, (at, of), chains, start),
+                8 => multiply_few::<S, 8>(simd, phi, incoming, (at, of), chains, start),
+                _ => multiply_many(simd, phi, incoming, (at, of), chains, start),
             }
         }
         let Some(rows) = chains.rows[OVERHANG..].first_chunk() else { continue };
@@ -163,16 +162,16 @@ fn transpose_chunk<S: Simd, const SUMS: bool>(
 /// nothing go to the rows before and after. No lane owns those rows if the variable is the first or the last of the
 /// block; otherwise the next variable overwrites them.
 #[inline(always)]
-fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
+fn multiply_few<S: Simd, const D: usize>(
     simd: S,
     (labels, phi): (&[f32], &[f32]),
-    incoming: &[&[M]],
+    incoming: &[&[f32]],
     (at, of): (usize, &BlockVariable),
     chains: &mut Chains,
     start: usize,
 ) {
     let n = phi.len() / WIDTH;
-    let messages: [&[[M; WIDTH]]; D] =
+    let messages: [&[[f32; WIDTH]]; D] =
         std::array::from_fn(|slot| &incoming[slot][start..start + phi.len()].as_chunks().0[..n]);
     let Some(rows) = chains.rows[OVERHANG + of.lane - of.slots.start..].first_chunk_mut::<D>() else { return };
     let rows = rows.each_mut().map(|row| &mut row.as_chunks_mut::<WIDTH>().0[..n]);
@@ -180,7 +179,7 @@ fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
     let scale = simd.splat(CHAIN_SCALE);
     let mut peak = Peak::load(simd, &chains.beliefs[at]);
     for (tile, phi) in phi.as_chunks::<WIDTH>().0.iter().enumerate() {
-        if (tile * WIDTH * size_of::<M>()).is_multiple_of(LINE_BYTES) {
+        if (tile * WIDTH * size_of::<f32>()).is_multiple_of(LINE_BYTES) {
             for row in &messages {
                 simd.prefetch(row.as_flattened(), tile * WIDTH + CHUNK);
             }
@@ -189,13 +188,13 @@ fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
         let mut before = [product; D];
         for slot in 0..D {
             before[slot] = product;
-            product = product.mul(M::load(simd, &messages[slot][tile]));
+            product = product.mul(simd.load(&messages[slot][tile]));
         }
         peak.add(product, simd.load(&labels[tile]));
         let mut after = scale;
         for slot in (0..D).rev() {
             before[slot].mul(after).store(&mut rows[slot][tile]);
-            after = after.mul(M::load(simd, &messages[slot][tile]));
+            after = after.mul(simd.load(&messages[slot][tile]));
         }
     }
     peak.store(&mut chains.beliefs[at]);
@@ -203,10 +202,10 @@ fn multiply_few<S: Simd, M: MessageValue, const D: usize>(
 
 /// The same for any number of neighbors, restricted to those to which the block sends.
 #[inline(always)]
-fn multiply_many<S: Simd, M: MessageValue>(
+fn multiply_many<S: Simd>(
     simd: S,
     (labels, phi): (&[f32], &[f32]),
-    incoming: &[&[M]],
+    incoming: &[&[f32]],
     (at, of): (usize, &BlockVariable),
     chains: &mut Chains,
     start: usize,
@@ -224,7 +223,7 @@ fn multiply_many<S: Simd, M: MessageValue>(
         let (done, open) = forward.split_at_mut(slot + 1);
         let factors = done[slot].as_chunks().0.iter().zip(message(slot));
         for (product, (so_far, factor)) in open[0].as_chunks_mut().0.iter_mut().zip(factors) {
-            simd.load(so_far).mul(M::load(simd, factor)).store(product);
+            simd.load(so_far).mul(simd.load(factor)).store(product);
         }
     }
     let mut peak = Peak::load(simd, &beliefs[at]);
@@ -241,7 +240,7 @@ fn multiply_many<S: Simd, M: MessageValue>(
             }
         }
         for (product, factor) in backward.as_chunks_mut().0.iter_mut().zip(message(slot)) {
-            simd.load(product).mul(M::load(simd, factor)).store(product);
+            simd.load(product).mul(simd.load(factor)).store(product);
         }
     }
 }

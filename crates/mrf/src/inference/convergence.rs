@@ -7,8 +7,7 @@ pub enum ConvergenceStatus {
     Converged,
     /// Neither settled nor repeating: more iterations or more damping may help.
     Slow,
-    /// The labelings repeat with this period while the messages do not settle. More iterations do not help; damping or
-    /// the residual schedule may.
+    /// The labelings repeat with this period while the messages do not settle. More iterations do not help; damping may.
     Oscillating {
         /// Iterations after which the labelings return, at least 2.
         period: u32,

@@ -2,14 +2,12 @@
 //! cores.
 //!
 //! # Limits of speed
-//! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes, or half of that in half precision. It
-//! performs `|E→| · n` times the operations for one value of a message: three products of messages, plus, with
+//! An iteration reads and writes every message once, `2 · 4 · |E→| · n` bytes. It performs `|E→| · n` times the operations for one value of a message: three products of messages, plus, with
 //! max-product and `β = 0`, one maximum for each member of `N_1`, `r` times over, or else a few operations for each
 //! member of `N_r`. A lower bound for the time of an iteration is the longer of two times: the bytes over the rate at
 //! which memory is changed in place, and the operations over the rate of the vector units.
 //! `crates/laboratory/benches/kernel.rs` measures all of these in one run. There are also the transposes between rows
-//! and lanes, and scaling, damping and comparing, seven operations per value. Half precision adds conversions: three
-//! when a value is read, and two when it is written.
+//! and lanes, and scaling, damping and comparing, seven operations per value.
 //!
 //! Without a distance term the measured time is far above that bound, and waiting for memory is not the reason: with
 //! all messages in the caches an iteration takes four fifths of its time. Two vectors can be loaded and one stored per
@@ -20,7 +18,6 @@ use super::block_plan::{BLOCK_LANES, Block, BlockPlan};
 use super::kernel::{Kernel, lane_factors};
 use super::lanes::Lanes;
 use super::message_store::{Batches, MessageStore, OpenStore};
-use super::message_value::MessageValue;
 use super::message_writer::BlockRows;
 use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
 use super::sparse_update::Scratch;
@@ -30,12 +27,12 @@ use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
 
 /// Blocks and their messages.
-pub(super) struct Flooding<M> {
+pub(super) struct Flooding {
     plan: BlockPlan,
     batches: Batches,
     /// Near and far factors of the pairwise potential, for each lane of each block.
     factors: Vec<(Lanes, Lanes)>,
-    messages: MessageStore<M>,
+    messages: MessageStore,
     /// One scratch per thread.
     scratch: Vec<Mutex<Scratch>>,
 }
@@ -47,7 +44,7 @@ struct Pass {
     delta: f32,
 }
 
-impl<M: MessageValue> Flooding<M> {
+impl Flooding {
     /// Blocks over the directed edges of `graph`; `factors` of every edge; rows of `stride` values.
     pub(super) fn new(graph: &EdgeGraph, factors: &[(f32, f32)], stride: usize) -> Self {
         let plan = BlockPlan::new(graph);
@@ -62,7 +59,7 @@ impl<M: MessageValue> Flooding<M> {
     }
 
     /// The message `i → j` of a directed edge.
-    pub(super) fn message(&self, edge: usize) -> &[M] {
+    pub(super) fn message(&self, edge: usize) -> &[f32] {
         self.messages.message(edge)
     }
 
@@ -117,7 +114,7 @@ impl<M: MessageValue> Flooding<M> {
                 break;
             }
             let mut lent = open.lend(if update { blocks.len() } else { 0 });
-            let mut outputs: Vec<Option<&mut [M]>> = lent.iter_mut().map(|lent| Some(&mut *lent.values)).collect();
+            let mut outputs: Vec<Option<&mut [f32]>> = lent.iter_mut().map(|lent| Some(&mut *lent.values)).collect();
             outputs.resize_with(blocks.len(), || None);
             let results: Vec<(Vec<Decoded>, f32)> = blocks
                 .clone()
@@ -160,13 +157,13 @@ fn decode_alone(kernel: Kernel<'_>, variable: usize) -> Decoded {
 
 /// Decodes the variables of block `number` and, given an `output`, writes its next messages there. Also returns the
 /// largest change of a message.
-fn make_block<M: MessageValue>(
+fn make_block(
     kernel: Kernel<'_>,
-    messages: &OpenStore<'_, M>,
+    messages: &OpenStore<'_>,
     (number, block): (usize, &Block),
     (near, far): &(Lanes, Lanes),
     scratch: &mut Scratch,
-    output: Option<&mut [M]>,
+    output: Option<&mut [f32]>,
 ) -> (Vec<Decoded>, f32) {
     let totals = kernel.cavity(|edge| messages.message(edge), &block.variables, scratch);
     // A variable in several blocks is decoded in the block of its first edges.

@@ -1,13 +1,12 @@
-//! Operations on one block of lanes that both schedules share: from cavity products to messages.
+//! Operations on one block of lanes of a message update: from cavity products to messages.
 
 use super::block_plan::BlockVariable;
 use super::cavity::{CavityTotals, cavity_products};
 use super::full_update::{FullPotential, full_max_update, full_sum_update};
 use super::label_order::LabelOrder;
 use super::lanes::{CHUNK, Lanes};
-use super::message_value::MessageValue;
 use super::message_writer::{BlockRows, Finish, write_chunk};
-use super::options::{BpMethod, BpOptions, Product, Update};
+use super::options::{BpOptions, Product, Update};
 use super::outcome::Decoded;
 use super::pair_table::PairTable;
 use super::sparse_update::{
@@ -20,7 +19,7 @@ use crate::MrfModel;
 pub(super) struct Kernel<'a> {
     pub model: &'a MrfModel,
     pub options: BpOptions,
-    pub method: BpMethod,
+    pub update: Update,
     pub order: &'a LabelOrder,
     /// In the order of `order`, like all rows over the labels.
     pub table: &'a PairTable,
@@ -32,14 +31,14 @@ pub(super) struct Kernel<'a> {
 impl Kernel<'_> {
     /// Computes the cavity products of the lanes of `variables` into `scratch`; returns their totals. `message` returns
     /// the row of an incoming message.
-    pub(super) fn cavity<'m, M: MessageValue>(
+    pub(super) fn cavity<'m>(
         &self,
-        message: impl Fn(u32) -> &'m [M],
+        message: impl Fn(u32) -> &'m [f32],
         variables: &[BlockVariable],
         scratch: &mut Scratch,
     ) -> CavityTotals {
         let phi: Vec<&[f32]> = variables.iter().map(|of| self.phi_row(of.variable)).collect();
-        let messages: Vec<&[M]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
+        let messages: Vec<&[f32]> = variables.iter().flat_map(|of| &of.incoming).map(|&row| message(row)).collect();
         cavity_products(
             (&self.order.negated()[..self.stride], &phi),
             &messages,
@@ -72,7 +71,7 @@ impl Kernel<'_> {
     pub(super) fn update(&self, (near, far): (&Lanes, &Lanes), totals: &CavityTotals, scratch: &mut Scratch) -> Lanes {
         let epsilon = self.model.pairwise.epsilon();
         let rest = Lanes(totals.sum.map(|sum| sum * epsilon));
-        if self.method.update == Update::Sparse && self.model.pairwise.beta == 0.0 {
+        if self.update == Update::Sparse && self.model.pairwise.beta == 0.0 {
             return match self.options.product {
                 Product::Max => {
                     max_update_uniform(self.table, &self.least(totals), scratch);
@@ -83,7 +82,7 @@ impl Kernel<'_> {
         }
         let Scratch { cavity, updated, dense, .. } = scratch;
         let potential = FullPotential { near, far, epsilon };
-        match (self.method.update, self.options.product) {
+        match (self.update, self.options.product) {
             (Update::Full, Product::Max) => full_max_update(self.table, cavity, potential, dense, updated),
             (Update::Full, Product::Sum) => full_sum_update(self.table, cavity, potential, dense, updated),
             (Update::Sparse, Product::Sum) => sum_update(self.table, cavity, (near, far), (&rest, epsilon), updated),
@@ -93,17 +92,17 @@ impl Kernel<'_> {
 
     /// Writes the next messages of all lanes, from the cavity products of `scratch`, into `rows`; returns the largest
     /// change.
-    pub(super) fn write<M: MessageValue>(
+    pub(super) fn write(
         &self,
         factors: (&Lanes, &Lanes),
         totals: &CavityTotals,
         scratch: &mut Scratch,
-        rows: &mut BlockRows<'_, M>,
+        rows: &mut BlockRows<'_>,
     ) -> f32 {
         let finish = Finish { floor: self.options.floor, damping: self.options.damping };
         let mut change = 0.0f32;
         let starts = (0..self.stride).step_by(CHUNK);
-        let sparse_max = (self.method.update, self.options.product) == (Update::Sparse, Product::Max);
+        let sparse_max = (self.update, self.options.product) == (Update::Sparse, Product::Max);
         if sparse_max && self.model.pairwise.beta == 0.0 {
             // The scale is known before the messages: updated values are written while they are in the nearest cache.
             max_steps_but_last(self.table, scratch);

@@ -8,7 +8,6 @@
 
 use super::block_plan::{BLOCK_LANES, BlockPlan};
 use super::lanes::LINE_BYTES;
-use super::message_value::MessageValue;
 use homolog_primitives::observe::Observer;
 use std::ops::Range;
 
@@ -52,8 +51,8 @@ impl Batches {
 }
 
 /// All messages, block by block.
-pub(super) struct MessageStore<M> {
-    values: Vec<M>,
+pub(super) struct MessageStore {
+    values: Vec<f32>,
     /// Start of the first piece, aligned to a cache line.
     start: usize,
     stride: usize,
@@ -64,14 +63,14 @@ pub(super) struct MessageStore<M> {
     spare: Vec<usize>,
 }
 
-impl<M: MessageValue> MessageStore<M> {
+impl MessageStore {
     /// Room for the messages of `plan`, in rows of length `stride`, and for `n_spare` further blocks. All 0.
     pub(super) fn new(plan: &BlockPlan, stride: usize, n_spare: usize) -> Self {
         let n = plan.blocks.len();
         // A vector that straddles two cache lines takes twice as long. Rows are whole vectors, so aligning the first
         // one is enough. Results do not depend on it: 0 would do.
-        let line = LINE_BYTES / size_of::<M>();
-        let values = vec![M::ZERO; (n + n_spare) * BLOCK_LANES * stride + line];
+        let line = LINE_BYTES / size_of::<f32>();
+        let values = vec![0.0; (n + n_spare) * BLOCK_LANES * stride + line];
         let start = values.as_ptr().align_offset(LINE_BYTES).min(line);
         MessageStore {
             values,
@@ -84,20 +83,19 @@ impl<M: MessageValue> MessageStore<M> {
     }
 
     /// The message of a directed edge.
-    pub(super) fn message(&self, edge: usize) -> &[M] {
+    pub(super) fn message(&self, edge: usize) -> &[f32] {
         let start = self.start(edge);
         &self.values[start..start + self.stride]
     }
 
     /// Sets every message to `message`, unless `observer`, who is asked at each, wants it to stop.
     pub(super) fn fill(&mut self, message: &[f32], observer: &dyn Observer) {
-        let message: Vec<M> = message.iter().map(|&value| M::narrow(value.max(M::LEAST))).collect();
         for edge in 0..self.n_edges {
             if observer.is_stopped() {
                 return;
             }
             let start = self.start(edge);
-            self.values[start..start + self.stride].copy_from_slice(&message);
+            self.values[start..start + self.stride].copy_from_slice(message);
         }
     }
 
@@ -107,7 +105,7 @@ impl<M: MessageValue> MessageStore<M> {
     }
 
     /// The messages for one iteration.
-    pub(super) fn open(&mut self) -> OpenStore<'_, M> {
+    pub(super) fn open(&mut self) -> OpenStore<'_> {
         let MessageStore { values, start, stride, piece_of_block, spare, .. } = self;
         OpenStore {
             pieces: values[*start..].chunks_exact_mut((BLOCK_LANES * *stride).max(1)).collect(),
@@ -120,9 +118,9 @@ impl<M: MessageValue> MessageStore<M> {
 }
 
 /// The messages during an iteration, while some are read and others written.
-pub(super) struct OpenStore<'a, M> {
+pub(super) struct OpenStore<'a> {
     /// Pieces of memory; empty while lent out.
-    pieces: Vec<&'a mut [M]>,
+    pieces: Vec<&'a mut [f32]>,
     /// The piece of each block of the next iteration, once it is computed.
     new_piece: Vec<usize>,
     stride: usize,
@@ -131,33 +129,33 @@ pub(super) struct OpenStore<'a, M> {
 }
 
 /// A piece that is lent out for writing.
-pub(super) struct Lent<'a, M> {
+pub(super) struct Lent<'a> {
     piece: usize,
     /// Values of the block, row after row.
-    pub values: &'a mut [M],
+    pub values: &'a mut [f32],
 }
 
-impl<'a, M> OpenStore<'a, M> {
+impl<'a> OpenStore<'a> {
     /// The old message of a directed edge.
-    pub(super) fn message(&self, edge: u32) -> &[M] {
+    pub(super) fn message(&self, edge: u32) -> &[f32] {
         let (block, lane) = (edge as usize / BLOCK_LANES, edge as usize % BLOCK_LANES);
         &self.block(block)[lane * self.stride..][..self.stride]
     }
 
     /// All old messages of a block.
-    pub(super) fn block(&self, block: usize) -> &[M] {
+    pub(super) fn block(&self, block: usize) -> &[f32] {
         &*self.pieces[self.piece_of_block[block]]
     }
 
     /// Lends spare pieces for `count` blocks, or as many as are available.
-    pub(super) fn lend(&mut self, count: usize) -> Vec<Lent<'a, M>> {
+    pub(super) fn lend(&mut self, count: usize) -> Vec<Lent<'a>> {
         let first = self.spare.len().saturating_sub(count);
         let lent = self.spare.split_off(first).into_iter().rev();
         lent.map(|piece| Lent { piece, values: std::mem::take(&mut self.pieces[piece]) }).collect()
     }
 
     /// Takes back a lent piece: from the next iteration on it is `block`.
-    pub(super) fn give_back(&mut self, block: usize, lent: Lent<'a, M>) {
+    pub(super) fn give_back(&mut self, block: usize, lent: Lent<'a>) {
         self.new_piece[block] = lent.piece;
         self.pieces[lent.piece] = lent.values;
     }
@@ -198,7 +196,7 @@ mod tests {
             edges.dedup();
             let plan = BlockPlan::new(&EdgeGraph::from_edges(400, &edges));
             let batches = Batches::new(&plan);
-            let mut store = MessageStore::<f32>::new(&plan, 1, batches.n_spare);
+            let mut store = MessageStore::new(&plan, 1, batches.n_spare);
             store.fill(&[0.0], &Silent);
             let mut made = vec![0.0; plan.blocks.len()];
             for iteration in 1..4u8 {

@@ -2,7 +2,6 @@
 
 use super::block_plan::BLOCK_LANES;
 use super::lanes::{CHUNK, LINE_BYTES, Lanes};
-use super::message_value::MessageValue;
 use super::vector::{Simd, Vector, WIDTH, dispatch};
 
 /// Parameters that turn an updated message into the new one.
@@ -15,11 +14,11 @@ pub(super) struct Finish {
 }
 
 /// The rows of one block while its messages are written.
-pub(super) struct BlockRows<'a, M> {
+pub(super) struct BlockRows<'a> {
     /// The previous messages, row after row; as many as `new` has.
-    pub old: &'a [M],
+    pub old: &'a [f32],
     /// Destination of the next messages.
-    pub new: &'a mut [M],
+    pub new: &'a mut [f32],
     /// Length of a row.
     pub stride: usize,
 }
@@ -36,23 +35,23 @@ dispatch! {
     /// Writes the messages of one chunk of labels. `updated` has the unscaled messages of the labels from `start` on, a
     /// multiple of [`WIDTH`] and at most [`CHUNK`]; `largest` has the largest value of each lane over all labels.
     /// Returns the largest change.
-    pub(super) fn write_chunk<M: MessageValue>(
+    pub(super) fn write_chunk(
         updated: &[Lanes],
         start: usize,
         largest: &Lanes,
         finish: Finish,
-        rows: &mut BlockRows<'_, M>,
+        rows: &mut BlockRows<'_>,
     ) -> f32 = write
 }
 
 #[inline(always)]
-fn write<S: Simd, M: MessageValue>(
+fn write<S: Simd>(
     simd: S,
     updated: &[Lanes],
     start: usize,
     largest: &Lanes,
     finish: Finish,
-    rows: &mut BlockRows<'_, M>,
+    rows: &mut BlockRows<'_>,
 ) -> f32 {
     let BlockRows { old, new, stride } = rows;
     let piece = WIDTH * *stride;
@@ -71,15 +70,15 @@ fn write<S: Simd, M: MessageValue>(
         let group = Group {
             lane: group * WIDTH,
             scale: std::array::from_fn(|k| scales[group * WIDTH + k]),
-            floor: share * finish.floor.max(M::LEAST),
+            floor: share * finish.floor,
             damping: finish.damping,
             labels,
             stride: *stride,
         };
         change = if old.len() == piece {
-            group.write::<S, M, true>(simd, updated, old, new, change)
+            group.write::<S, true>(simd, updated, old, new, change)
         } else {
-            group.write::<S, M, false>(simd, updated, old, new, change)
+            group.write::<S, false>(simd, updated, old, new, change)
         };
     }
     let mut changes = [0.0; WIDTH];
@@ -122,12 +121,12 @@ struct Group {
 impl Group {
     /// Writes the rows of the group, `FULL` of them or fewer, and returns the changes.
     #[inline(always)]
-    fn write<S: Simd, M: MessageValue, const FULL: bool>(
+    fn write<S: Simd, const FULL: bool>(
         &self,
         simd: S,
         updated: &[Lanes],
-        old: &[M],
-        new: &mut [M],
+        old: &[f32],
+        new: &mut [f32],
         change: S::Vector,
     ) -> S::Vector {
         let (start, stride) = (self.labels.start, self.stride);
@@ -140,7 +139,7 @@ impl Group {
             let label = start + tile * WIDTH;
             // Prefetches the part of these rows that the next chunk needs, at the start of each cache line: the rows
             // are too many, and their pieces too short, for the hardware prefetcher.
-            if (tile * WIDTH * size_of::<M>()).is_multiple_of(LINE_BYTES) {
+            if (tile * WIDTH * size_of::<f32>()).is_multiple_of(LINE_BYTES) {
                 for row in 0..n_rows {
                     simd.prefetch_far(old, row * stride + label + CHUNK);
                     simd.prefetch_far(new, row * stride + label + CHUNK);
@@ -157,9 +156,10 @@ impl Group {
                         #[allow(unsafe_code)]
                         let (old, new) =
                             unsafe { (&*old.as_ptr().add(at).cast(), &mut *new.as_mut_ptr().add(at).cast()) };
-                        let old = M::load(simd, old);
+                        let old = simd.load(old);
                         let value = column.mul(scale[row]).max(floor).add(damping.mul(old));
-                        most = M::store(value, new).sub(old).abs().max(most);
+                        value.store(new);
+                        most = value.sub(old).abs().max(most);
                     }
                 }
             }
@@ -172,24 +172,22 @@ impl Group {
 mod tests {
     use super::super::vector::Plain;
     use super::*;
-    use half::f16;
     use proptest::prelude::*;
 
     /// The new rows from the dispatched function and from the portable one, with the largest change.
-    fn both<M: MessageValue>(updated: &[Lanes], old: &[f32], finish: Finish) -> [(Vec<u32>, u32); 2] {
-        let old: Vec<M> = old.iter().map(|&value| M::narrow(value)).collect();
+    fn both(updated: &[Lanes], old: &[f32], finish: Finish) -> [(Vec<u32>, u32); 2] {
         let mut top = Lanes::splat(0.0);
         for row in updated {
             (0..BLOCK_LANES).for_each(|k| top[k] = row[k].max(top[k]));
         }
         [true, false].map(|dispatched| {
-            let mut new = vec![M::ZERO; old.len()];
-            let mut rows = BlockRows { old: &old, new: &mut new, stride: updated.len() };
+            let mut new = vec![0.0; old.len()];
+            let mut rows = BlockRows { old, new: &mut new, stride: updated.len() };
             let change = match dispatched {
                 true => write_chunk(updated, 0, &top, finish, &mut rows),
                 false => write(Plain, updated, 0, &top, finish, &mut rows),
             };
-            (M::widen(&new).iter().map(|value| value.to_bits()).collect(), change.to_bits())
+            (new.iter().map(|value| value.to_bits()).collect(), change.to_bits())
         })
     }
 
@@ -207,9 +205,7 @@ mod tests {
             let updated: Vec<Lanes> = (0..stride).map(|_| Lanes(std::array::from_fn(|_| numbers.next().unwrap()))).collect();
             let old: Vec<f32> = numbers.take(n_rows * stride).collect();
             let finish = Finish { floor, damping };
-            let [dispatched, plain] = both::<f32>(&updated, &old, finish);
-            prop_assert_eq!(dispatched, plain);
-            let [dispatched, plain] = both::<f16>(&updated, &old, finish);
+            let [dispatched, plain] = both(&updated, &old, finish);
             prop_assert_eq!(dispatched, plain);
         }
     }

@@ -1,4 +1,4 @@
-//! Full update, residual schedule, convergence, beliefs and the hard constraint against their oracles.
+//! Full update, convergence, beliefs and the hard constraint against their oracles.
 
 use super::oracle::{exhaustive_marginals, exhaustive_minimum, updated_message};
 use super::tests::{model, model_with_rings, path_with_chords, tree};
@@ -8,27 +8,19 @@ use homolog_primitives::observe::Silent;
 use nalgebra::Point3;
 use proptest::prelude::*;
 
-const FULL: BpMethod = BpMethod { update: Update::Full, schedule: Schedule::Flooding, storage: MessageStorage::Single };
-const RESIDUAL: BpMethod =
-    BpMethod { update: Update::Sparse, schedule: Schedule::Residual, storage: MessageStorage::Single };
-
 fn options(product: Product, damping: f32, floor: f32) -> BpOptions {
     BpOptions { product, damping, floor, tolerance: 0.0 }
 }
 
-fn run(model: &MrfModel, options: BpOptions, method: BpMethod, iterations: u32) -> (BpOutcome, Vec<Vec<f32>>) {
-    let mut bp = BeliefPropagation::with_method(model, options, method);
+fn run(model: &MrfModel, options: BpOptions, update: Update, iterations: u32) -> (BpOutcome, Vec<Vec<f32>>) {
+    let mut bp = BeliefPropagation::with_update(model, options, update);
     let outcome = bp.run(iterations, &Silent, |_| ()).unwrap();
     let beliefs = (0..model.n_variables()).map(|i| bp.belief(i)).collect();
     (outcome, beliefs)
 }
 
-fn any_method() -> impl Strategy<Value = BpMethod> {
-    (any::<bool>(), any::<bool>()).prop_map(|(full, residual)| BpMethod {
-        update: if full { Update::Full } else { Update::Sparse },
-        schedule: if residual { Schedule::Residual } else { Schedule::Flooding },
-        storage: MessageStorage::Single,
-    })
+fn any_update() -> impl Strategy<Value = Update> {
+    prop_oneof![Just(Update::Sparse), Just(Update::Full)]
 }
 
 fn any_truncation() -> impl Strategy<Value = f64> {
@@ -50,9 +42,9 @@ proptest! {
     ) {
         let model = model_with_rings(n, &path_with_chords(n, &chords), n_labels, &entropy, rings, beta, truncation);
         let max = options(Product::Max, 0.5, 1e-5);
-        prop_assert_eq!(run(&model, max, FULL, 5), run(&model, max, BpMethod::default(), 5));
+        prop_assert_eq!(run(&model, max, Update::Full, 5), run(&model, max, Update::Sparse, 5));
         let sum = options(Product::Sum, 0.5, 1e-5);
-        let (full, sparse) = (run(&model, sum, FULL, 5).1, run(&model, sum, BpMethod::default(), 5).1);
+        let (full, sparse) = (run(&model, sum, Update::Full, 5).1, run(&model, sum, Update::Sparse, 5).1);
         for (a, b) in full.iter().flatten().zip(sparse.iter().flatten()) {
             prop_assert!((a - b).abs() < 1e-4, "{a} against {b}");
         }
@@ -63,13 +55,13 @@ proptest! {
         parents in prop::collection::vec(0usize..100, 4),
         entropy in prop::collection::vec(0.0f64..1.0, 97),
         beta in prop_oneof![Just(0.0), 0.0f64..3.0],
-        method in any_method(),
+        update in any_update(),
     ) {
         let model = model(5, &tree(&parents), 5, &entropy, beta, 2.5);
         let lowest = exhaustive_minimum(&model);
-        let (outcome, _) = run(&model, options(Product::Max, 0.0, 1e-9), method, 40);
+        let (outcome, _) = run(&model, options(Product::Max, 0.0, 1e-9), update, 40);
         prop_assert!((outcome.energy.total() - lowest).abs() < 1e-4, "{} against {lowest}", outcome.energy.total());
-        let (_, beliefs) = run(&model, options(Product::Sum, 0.0, 1e-9), method, 40);
+        let (_, beliefs) = run(&model, options(Product::Sum, 0.0, 1e-9), update, 40);
         for (belief, marginal) in beliefs.iter().zip(exhaustive_marginals(&model)) {
             for (b, exact) in belief.iter().zip(marginal) {
                 prop_assert!((f64::from(*b) - exact).abs() < 1e-5, "{b} against {exact}");
@@ -77,24 +69,23 @@ proptest! {
         }
     }
 
-    /// With damping this also tests that the residual includes the change withheld by damping; otherwise the schedule
-    /// would treat unconverged messages as converged.
     #[test]
-    fn the_residual_schedule_settles_at_a_fixed_point_of_the_full_update(
+    fn messages_settle_at_a_fixed_point_of_the_full_update(
         n in 3usize..10,
         chords in prop::collection::btree_set((0u32..10, 0u32..10), 0..12),
         entropy in prop::collection::vec(0.0f64..1.0, 97),
         beta in prop_oneof![Just(0.0), 0.0f64..2.0],
         sum in any::<bool>(),
         damping in prop_oneof![Just(0.0f32), Just(0.5)],
+        update in any_update(),
     ) {
         let model = model(n, &path_with_chords(n, &chords), 9, &entropy, beta, 0.5);
         let product = if sum { Product::Sum } else { Product::Max };
         let settings = BpOptions { tolerance: 1e-6, ..options(product, damping, 1e-5) };
-        let mut bp = BeliefPropagation::with_method(&model, settings, RESIDUAL);
+        let mut bp = BeliefPropagation::with_update(&model, settings, update);
         let outcome = bp.run(400, &Silent, |_| ()).unwrap();
         prop_assume!(outcome.stop == BpStop::Converged);
-        // Models with cycles may have several fixed points, so agreement with another schedule would prove nothing.
+        // Models with cycles may have several fixed points, so agreement with another run would prove nothing.
         let reverse = model.variables.reverse_edges();
         let message = |edge: &u32| bp.incoming_message(*edge as usize).iter().map(|&m| f64::from(m)).collect();
         let messages: Vec<Vec<f64>> = reverse.iter().map(message).collect();
@@ -107,56 +98,20 @@ proptest! {
 }
 
 #[test]
-fn the_residual_schedule_needs_fewer_updates_on_a_long_chain() {
-    let n = 120;
-    let edges: Vec<[u32; 2]> = (0..n - 1).map(|k| [k, k + 1]).collect();
-    let entropy: Vec<f64> = (0..997).map(|k| f64::from(k * 571 % 997) / 997.0).collect();
-    let mut model = model(n as usize, &edges, 12, &entropy, 0.8, 4.0);
-    // Evidence at one end only, which has to travel.
-    model.unary[12..].iter_mut().for_each(|theta| *theta *= 0.01);
-    let settings = BpOptions { tolerance: 1e-5, ..options(Product::Max, 0.0, 1e-5) };
-    let (flooded, _) = run(&model, settings, BpMethod::default(), 500);
-    let (residual, _) = run(&model, settings, RESIDUAL, 500);
-    assert_eq!((flooded.stop, residual.stop), (BpStop::Converged, BpStop::Converged));
-    assert!(2 * residual.iterations < flooded.iterations, "{} {}", residual.iterations, flooded.iterations);
-    assert!((residual.energy.total() - flooded.energy.total()).abs() < 1e-3);
-}
-
-#[test]
-fn every_method_gives_the_same_bits_on_any_number_of_threads() {
+fn every_update_gives_the_same_bits_on_any_number_of_threads() {
     let edges: Vec<[u32; 2]> = (0..99).map(|k| [k, k + 1]).chain((0..70).map(|k| [k, k + 30])).collect();
     let entropy: Vec<f64> = (0..97).map(|k| f64::from(k * 31 % 97) / 97.0).collect();
     let model = model(100, &edges, 50, &entropy, 0.5, 4.0);
-    for (update, schedule) in [(Update::Full, Schedule::Flooding), (Update::Sparse, Schedule::Residual)] {
+    for update in [Update::Full, Update::Sparse] {
         for product in [Product::Max, Product::Sum] {
             let with = |threads: usize| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-                pool.install(|| {
-                    run(&model, options(product, 0.3, 1e-5), BpMethod { update, schedule, ..BpMethod::default() }, 8)
-                })
+                pool.install(|| run(&model, options(product, 0.3, 1e-5), update, 8))
             };
             let one = with(1);
             for threads in [2, 5] {
-                assert_eq!(one, with(threads), "{update:?} {schedule:?} {product:?} on {threads} threads");
+                assert_eq!(one, with(threads), "{update:?} {product:?} on {threads} threads");
             }
-        }
-    }
-}
-
-/// A hub with more neighbors than all blocks of a batch have lanes.
-#[test]
-fn a_hub_is_updated_in_pieces_by_the_residual_schedule() {
-    let rim = 220;
-    let edges: Vec<[u32; 2]> = (1..=rim).map(|k| [0, k]).collect();
-    let entropy: Vec<f64> = (0..97).map(|k| f64::from(k * 37 % 97) / 97.0).collect();
-    let model = model(rim as usize + 1, &edges, 18, &entropy, 0.7, 0.05);
-    for damping in [0.0, 0.4] {
-        let settings = BpOptions { tolerance: 1e-6, ..options(Product::Sum, damping, 1e-5) };
-        let (flooded, expected) = run(&model, settings, BpMethod::default(), 300);
-        let (residual, found) = run(&model, settings, RESIDUAL, 300);
-        assert_eq!((flooded.stop, residual.stop), (BpStop::Converged, BpStop::Converged));
-        for (a, b) in found.iter().flatten().zip(expected.iter().flatten()) {
-            assert!((a - b).abs() < 1e-4, "{a} against {b}");
         }
     }
 }
@@ -180,7 +135,7 @@ fn frustrated() -> MrfModel {
 
 #[test]
 fn a_frustrated_model_oscillates_under_flooding_and_is_reported_so() {
-    let (outcome, _) = run(&frustrated(), options(Product::Max, 0.0, 1e-5), BpMethod::default(), 40);
+    let (outcome, _) = run(&frustrated(), options(Product::Max, 0.0, 1e-5), Update::Sparse, 40);
     assert_eq!(outcome.stop, BpStop::MaxIterations);
     assert_eq!(outcome.convergence.status, ConvergenceStatus::Oscillating { period: 2 });
     let rate = outcome.convergence.residual_rate.unwrap();
@@ -188,22 +143,14 @@ fn a_frustrated_model_oscillates_under_flooding_and_is_reported_so() {
 }
 
 #[test]
-fn the_residual_schedule_finds_a_minimum_where_flooding_oscillates() {
-    let settings = BpOptions { tolerance: 1e-4, ..options(Product::Max, 0.0, 1e-5) };
-    let (outcome, _) = run(&frustrated(), settings, RESIDUAL, 100);
-    let lowest = exhaustive_minimum(&frustrated());
-    assert!((outcome.energy.total() - lowest).abs() < 1e-6, "{} against {lowest}", outcome.energy.total());
-}
-
-#[test]
 fn a_run_that_settles_has_a_rate_below_one() {
     let entropy: Vec<f64> = (0..97).map(|k| f64::from(k * 37 % 97) / 97.0).collect();
     let model = model(6, &tree(&[0, 0, 1, 1, 2]), 5, &entropy, 0.5, 2.5);
     let settings = BpOptions { tolerance: 1e-5, ..options(Product::Sum, 0.3, 1e-5) };
-    let (outcome, _) = run(&model, settings, BpMethod::default(), 100);
+    let (outcome, _) = run(&model, settings, Update::Sparse, 100);
     assert_eq!(outcome.convergence.status, ConvergenceStatus::Converged);
     assert!(outcome.convergence.residual_rate.unwrap() < 0.9);
-    let (cut, _) = run(&model, settings, BpMethod::default(), 3);
+    let (cut, _) = run(&model, settings, Update::Sparse, 3);
     assert_eq!(cut.convergence.status, ConvergenceStatus::Slow);
 }
 
@@ -214,16 +161,16 @@ fn beliefs_sum_to_one_and_their_peak_is_the_label_with_its_confidence() {
     // Variable 21 has no neighbors.
     let model = model(22, &edges, 17, &entropy, 0.5, 1.0);
     let places: Vec<Point3<f64>> = (0..17).map(|x| Point3::new(f64::from(x), 0.0, 0.0)).collect();
-    for method in [BpMethod::default(), FULL, RESIDUAL] {
+    for update in [Update::Sparse, Update::Full] {
         for product in [Product::Max, Product::Sum] {
-            let mut bp = BeliefPropagation::with_method(&model, options(product, 0.5, 1e-5), method);
+            let mut bp = BeliefPropagation::with_update(&model, options(product, 0.5, 1e-5), update);
             let outcome = bp.run(12, &Silent, |_| ()).unwrap();
             let spreads = bp.spreads(&places, &Silent).unwrap();
             for i in 0..22 {
                 let belief = bp.belief(i);
                 assert!((belief.iter().sum::<f32>() - 1.0).abs() < 1e-5);
                 let peak = f64::from(belief[outcome.labeling[i] as usize]);
-                assert!((peak - outcome.confidence[i]).abs() < 1e-5, "{method:?} {product:?} variable {i}");
+                assert!((peak - outcome.confidence[i]).abs() < 1e-5, "{update:?} {product:?} variable {i}");
                 assert!(belief.iter().all(|&b| f64::from(b) <= peak + 1e-6));
                 assert_eq!(spreads[i], belief_spread(&belief, &places));
             }
@@ -236,18 +183,18 @@ proptest! {
 
     /// The thesis' constraint: neighbors stay neighbors at any cost.
     #[test]
-    fn on_a_chain_with_the_hard_constraint_every_method_finds_the_minimum(
+    fn on_a_chain_with_the_hard_constraint_every_update_finds_the_minimum(
         entropy in prop::collection::vec(0.0f64..1.0, 97),
         beta in prop_oneof![Just(0.0), 0.0f64..2.0],
-        method in any_method(),
+        update in any_update(),
     ) {
         let model = model(5, &[[0, 1], [1, 2], [2, 3], [3, 4]], 6, &entropy, beta, f64::INFINITY);
         let lowest = exhaustive_minimum(&model);
-        let (outcome, beliefs) = run(&model, options(Product::Max, 0.0, 1e-30), method, 30);
+        let (outcome, beliefs) = run(&model, options(Product::Max, 0.0, 1e-30), update, 30);
         prop_assert!((outcome.energy.total() - lowest).abs() < 1e-4, "{} against {lowest}", outcome.energy.total());
         prop_assert_eq!(model.broken_edges(&outcome.labeling), 0);
         prop_assert!(beliefs.iter().flatten().all(|b| b.is_finite()));
-        let (_, beliefs) = run(&model, options(Product::Sum, 0.0, 1e-30), method, 30);
+        let (_, beliefs) = run(&model, options(Product::Sum, 0.0, 1e-30), update, 30);
         for (belief, marginal) in beliefs.iter().zip(exhaustive_marginals(&model)) {
             for (b, exact) in belief.iter().zip(marginal) {
                 prop_assert!((f64::from(*b) - exact).abs() < 1e-5, "{b} against {exact}");
@@ -271,15 +218,13 @@ proptest! {
     #[test]
     fn of_equal_beliefs_that_of_the_lowest_label_wins(
         good in prop::collection::btree_set(0usize..40, 1..20),
-        half: bool,
-        method in any_method(),
+        update in any_update(),
     ) {
         let mut model = model(5, &[[0, 1], [0, 2], [0, 3]], 40, &[0.5], 0.0, 9.2);
         for (at, unary) in model.unary.iter_mut().enumerate() {
             *unary = if good.contains(&(at % 40)) { 0.0 } else { 7.0 };
         }
-        let storage = if half { MessageStorage::Half } else { MessageStorage::Single };
-        let (outcome, _) = run(&model, options(Product::Max, 0.0, 1e-5), BpMethod { storage, ..method }, 4);
+        let (outcome, _) = run(&model, options(Product::Max, 0.0, 1e-5), update, 4);
         let lowest = *good.first().unwrap() as u32;
         prop_assert_eq!(outcome.labeling, vec![lowest; 5]);
     }

@@ -3,8 +3,7 @@
 //! [`BeliefPropagation`] passes messages over the graph of variables: max-product approximates the labeling of lowest
 //! energy, sum-product the marginals. Its **sparse update** visits only label pairs within the neighborhood, because
 //! all others share the truncated potential; it computes the same messages as the **full update** over all pairs.
-//! Either all messages are updated at once (flooding), or the messages of the variable with the largest pending change
-//! first (residual).
+//! All messages are updated at once, from those of the previous iteration (flooding).
 //!
 //! [`DualBound`] raises a lower bound on the energy of every labeling, which bounds the distance of a labeling from the
 //! minimum, and decodes labelings on the way.
@@ -37,7 +36,6 @@ mod lower_bound;
 #[cfg(test)]
 mod lower_bound_tests;
 mod message_store;
-mod message_value;
 mod message_writer;
 #[cfg(test)]
 mod method_tests;
@@ -47,10 +45,7 @@ mod oracle;
 mod outcome;
 mod pair_table;
 mod randomized;
-mod residual;
 mod sparse_update;
-#[cfg(test)]
-mod storage_tests;
 mod sweep_order;
 #[cfg(test)]
 mod tests;
@@ -64,7 +59,7 @@ pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;
 pub use convergence::{Convergence, ConvergenceStatus};
 pub use lower_bound::{DualBound, DualIteration, DualOptions, DualOutcome, DualStop};
-pub use options::{BpMethod, BpOptions, MessageStorage, Product, Schedule, Update};
+pub use options::{BpOptions, Product, Update};
 pub use outcome::{BpIteration, BpOutcome, BpStop};
 pub use randomized::{
     AnnealingOptions, Cooling, LasVegas, LasVegasOptions, Sampler, SearchOutcome, SearchRun, SearchStop, SearchSweep,

@@ -1,4 +1,4 @@
-//! Options of belief propagation: semiring, message update, schedule, damping.
+//! Options of belief propagation: semiring, message update, damping.
 
 /// Semiring of the messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,42 +19,6 @@ pub enum Update {
     /// All pairs. `O(n²)` per message, without a table of potentials; for small meshes and as a check of the sparse
     /// update.
     Full,
-}
-
-/// Order in which messages are updated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Schedule {
-    /// All messages at once from those of the previous iteration.
-    #[default]
-    Flooding,
-    /// The variable with the largest pending change sends next. Settles on many models
-    /// where flooding oscillates.
-    Residual,
-}
-
-/// Number format in which messages are stored; they are computed in 32 bits in any case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum MessageStorage {
-    /// Single precision, 32 bits.
-    #[default]
-    Single,
-    /// Half precision, binary16 of IEEE 754, in half the memory. A message is rounded to a relative `2⁻¹¹` above `2⁻¹⁴`
-    /// (6e-5) and to `2⁻²⁵` absolute below, and its floor is at least `2⁻²⁴` (6e-8). Reported changes are those of the
-    /// stored messages: 0, or a step between two numbers of 16 bits, `2⁻¹¹` near 1. Applies to flooding only; the
-    /// residual schedule always stores single precision, because its bounds on pending changes are finer than such
-    /// steps.
-    Half,
-}
-
-/// Update, schedule and storage; the default is the sparse update, flooding, single precision.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct BpMethod {
-    /// Label pairs visited by a message update.
-    pub update: Update,
-    /// Order in which messages are updated.
-    pub schedule: Schedule,
-    /// Number format in which messages are stored.
-    pub storage: MessageStorage,
 }
 
 /// Options of a run.

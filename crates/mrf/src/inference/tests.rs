@@ -208,16 +208,14 @@ fn messages_that_are_not_all_set_are_never_run() {
     let edges: Vec<[u32; 2]> = (0..n as u32 - 1).map(|k| [k, k + 1]).collect();
     let model = model(n, &edges, 5, &[0.1, 0.7, 0.3], 0.0, 3.0);
     let options = BpOptions { product: Product::Max, damping: 0.0, floor: 1e-5, tolerance: 0.0 };
-    let residual = BpMethod { schedule: Schedule::Residual, ..BpMethod::default() };
-    let half = BpMethod { storage: MessageStorage::Half, ..BpMethod::default() };
-    for method in [BpMethod::default(), residual, half] {
+    for update in [Update::Sparse, Update::Full] {
         let whole = StopAfter(usize::MAX, AtomicUsize::new(0));
-        drop(BeliefPropagation::observed(&model, options, method, &whole));
+        drop(BeliefPropagation::observed(&model, options, update, &whole));
         let asked = whole.1.load(Ordering::Relaxed);
         assert!(asked >= n + 2 * edges.len(), "{asked} checks");
         for checks in [0, edges.len(), asked - 1] {
             let stopping = StopAfter(checks, AtomicUsize::new(0));
-            let mut begun = BeliefPropagation::observed(&model, options, method, &stopping);
+            let mut begun = BeliefPropagation::observed(&model, options, update, &stopping);
             assert!(begun.run(5, &Silent, |_| ()).is_err(), "after {checks} of {asked}");
         }
     }

@@ -1,13 +1,11 @@
 //! Eight `f32` in a register, and the operations of the dense kernel on them.
 //!
-//! An instruction set is a token ([`Simd`]): [`Plain`] for any machine, [`Avx2`] for machines with AVX2 and F16C, which
-//! [`Avx2::new`] checks. Only tokens create vectors, so the existence of a vector proves its instruction set and its
+//! An instruction set is a token ([`Simd`]): [`Plain`] for any machine, [`Avx2`] for machines with AVX2, which [`Avx2::new`] checks. Only tokens create vectors, so the existence of a vector proves its instruction set and its
 //! methods are safe. Loops are written once, over any token, and [`dispatch!`] compiles them for both.
 //!
 //! Each operation rounds at most once on both, so both give the same bits; a test holds them equal. Intrinsics are used
 //! because of the transposes, which the compiler would route through memory, number by number.
 
-use half::f16;
 use wide::f32x4;
 
 /// Numbers in a vector.
@@ -21,8 +19,6 @@ pub(super) trait Simd: Copy {
     fn splat(self, value: f32) -> Self::Vector;
     /// Loads from memory, at any address.
     fn load(self, from: &[f32; WIDTH]) -> Self::Vector;
-    /// Loads numbers of 16 bits from memory, at any address.
-    fn load_half(self, from: &[f16; WIDTH]) -> Self::Vector;
     /// The transpose of eight rows of four numbers: for every `k` the column of numbers `k`.
     fn columns(self, rows: [&[f32; 4]; WIDTH]) -> [Self::Vector; 4];
     /// Prefetches the cache line of `values[at]`, if `at` is in range, into the first-level cache.
@@ -35,9 +31,6 @@ pub(super) trait Simd: Copy {
 pub(super) trait Vector: Copy {
     /// Stores to memory, at any address.
     fn store(self, to: &mut [f32; WIDTH]);
-    /// Stores as numbers of 16 bits to memory, at any address, rounded to the nearest, ties to even. Returns the values
-    /// that [`Simd::load_half`] would give back.
-    fn store_half(self, to: &mut [f16; WIDTH]) -> Self;
     /// `self + other`.
     fn add(self, other: Self) -> Self;
     /// `self − other`.
@@ -67,13 +60,13 @@ macro_rules! dispatch {
             {
                 use $crate::inference::vector::Avx2;
 
-                #[target_feature(enable = "avx2,f16c")]
+                #[target_feature(enable = "avx2")]
                 fn with_avx2 $(<$generic: $bound>)? (avx2: Avx2, $($argument: $type),*) $(-> $result)? {
                     $body(avx2, $($argument),*)
                 }
 
                 if let Some(avx2) = Avx2::new() {
-                    // SAFETY: the token proves that the machine has AVX2 and F16C.
+                    // SAFETY: the token proves that the machine has AVX2.
                     #[allow(unsafe_code)]
                     return unsafe { with_avx2(avx2, $($argument),*) };
                 }
@@ -106,11 +99,6 @@ impl Simd for Plain {
     }
 
     #[inline(always)]
-    fn load_half(self, from: &[f16; WIDTH]) -> PlainVector {
-        PlainVector(from.map(f16::to_f32))
-    }
-
-    #[inline(always)]
     fn columns(self, rows: [&[f32; 4]; WIDTH]) -> [PlainVector; 4] {
         let transposed = |first: usize| f32x4::transpose(std::array::from_fn(|k| f32x4::from(*rows[first + k])));
         let (low, high) = (transposed(0), transposed(4));
@@ -138,12 +126,6 @@ impl Vector for PlainVector {
     #[inline(always)]
     fn store(self, to: &mut [f32; WIDTH]) {
         *to = self.0;
-    }
-
-    #[inline(always)]
-    fn store_half(self, to: &mut [f16; WIDTH]) -> Self {
-        *to = self.0.map(f16::from_f32);
-        Plain.load_half(to)
     }
 
     #[inline(always)]
@@ -183,10 +165,9 @@ pub(super) use avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx2 {
     use super::{Simd, Vector, WIDTH};
-    use half::f16;
     use std::arch::x86_64::*;
 
-    /// A machine with AVX2 and F16C.
+    /// A machine with AVX2.
     #[derive(Debug, Clone, Copy)]
     pub(in super::super) struct Avx2(());
 
@@ -195,11 +176,10 @@ mod avx2 {
     pub(in super::super) struct Avx2Vector(__m256);
 
     impl Avx2 {
-        /// The token, if this machine has both features.
+        /// The token, if this machine has AVX2.
         #[inline(always)]
         pub(in super::super) fn new() -> Option<Self> {
-            let has_both = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("f16c");
-            has_both.then_some(Avx2(()))
+            is_x86_feature_detected!("avx2").then_some(Avx2(()))
         }
     }
 
@@ -217,12 +197,6 @@ mod avx2 {
         fn load(self, from: &[f32; WIDTH]) -> Avx2Vector {
             // SAFETY: `self` proves AVX2; 32 bytes are borrowed, and no alignment is required.
             Avx2Vector(unsafe { _mm256_loadu_ps(from.as_ptr()) })
-        }
-
-        #[inline(always)]
-        fn load_half(self, from: &[f16; WIDTH]) -> Avx2Vector {
-            // SAFETY: `self` proves F16C; 16 bytes are borrowed, and no alignment is required.
-            Avx2Vector(unsafe { _mm256_cvtph_ps(_mm_loadu_si128(from.as_ptr().cast())) })
         }
 
         #[inline(always)]
@@ -263,16 +237,6 @@ mod avx2 {
         fn store(self, to: &mut [f32; WIDTH]) {
             // SAFETY: a vector proves AVX2; 32 bytes are borrowed, and no alignment is required.
             unsafe { _mm256_storeu_ps(to.as_mut_ptr(), self.0) }
-        }
-
-        #[inline(always)]
-        fn store_half(self, to: &mut [f16; WIDTH]) -> Self {
-            // SAFETY: a vector proves F16C; 16 bytes are borrowed, and no alignment is required.
-            unsafe {
-                let halves = _mm256_cvtps_ph::<_MM_FROUND_TO_NEAREST_INT>(self.0);
-                _mm_storeu_si128(to.as_mut_ptr().cast(), halves);
-                Avx2Vector(_mm256_cvtph_ps(halves))
-            }
         }
 
         #[inline(always)]
@@ -333,10 +297,6 @@ mod tests {
         let mut made = vec![simd.splat(rows[0][0]), a.add(b), a.sub(b), a.mul(b), a.max(b), b.max(a), a.abs()];
         made.push(a.choose_if_above(b, loaded[2], loaded[3]));
         made.extend(simd.columns(quads(rows, 0)).into_iter().chain(simd.columns(quads(rows, 1))));
-        made.extend(loaded.map(|row| row.store_half(&mut [f16::ZERO; WIDTH])));
-        made.extend(
-            rows.map(|row| simd.load_half(&row.map(|number| f16::from_bits((number.to_bits() >> 9) as u16 & 0xbfff)))),
-        );
         let bits = |vector: S::Vector| {
             let mut numbers = [0.0; WIDTH];
             vector.store(&mut numbers);
@@ -360,27 +320,6 @@ mod tests {
                 rows[0][4] = 0.0;
             }
             prop_assert_eq!(on_this_machine(&rows), everything(Plain, &rows));
-        }
-
-        #[test]
-        fn numbers_of_any_size_are_rounded_to_the_same_halves(
-            entropy in prop::collection::vec((-30i32..0, 0u32..1 << 23), 64),
-        ) {
-            // Every 16th lies in the middle between two halves.
-            let number = |(at, &(exponent, fraction)): (usize, &(i32, u32))| {
-                let fraction = if at % 16 == 0 { fraction & !0xfff | 0x1000 } else { fraction };
-                f32::from_bits(((exponent + 127) as u32) << 23 | fraction)
-            };
-            let mut rows = [[0.0; WIDTH]; WIDTH];
-            let numbers: Vec<f32> = entropy.iter().enumerate().map(number).collect();
-            rows.as_flattened_mut().copy_from_slice(&numbers);
-            prop_assert_eq!(on_this_machine(&rows), everything(Plain, &rows));
-            for row in rows {
-                let mut halves = [f16::ZERO; WIDTH];
-                PlainVector(row).store_half(&mut halves);
-                prop_assert_eq!(halves, row.map(f16::from_f32_const));
-                prop_assert_eq!(Plain.load_half(&halves), PlainVector(halves.map(f16::to_f32_const)));
-            }
         }
 
         #[test]

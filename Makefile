@@ -3,7 +3,7 @@
 # make test    all tests that this machine can run, fault injection in a short form; it lists those that were skipped, and
 #              why; HOMOLOG_REAL_DATA=dir: the real data that some need
 # make faults  fault injection in full length, an hour: processes and children killed, databases stopped, disks filled;
-#              TEST=a06: only the test of that name
+#              TEST=a06: only the test of that name; TEST=a_killed_: 200 kills of children and 200 of the service, ten minutes
 # make soak    an hour of mixed load with faults: memory and open files must not grow, no job may be lost; SECONDS=600: shorter;
 #              the record is target/soak.md
 # make memory  attack the service in a memory group, or measure its memory if groups are unavailable: 2 GiB with workers, 512 MiB

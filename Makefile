@@ -10,7 +10,8 @@
 #   dashboard      build the page of the dashboard, dashboard/dist, with node
 #
 # Campaigns of tests
-#   faults         processes killed, databases stopped, disks filled: an hour; SHORT=1: minutes; TEST=a06: the test of that name
+#   faults         processes killed, databases stopped, disks filled: an hour; SHORT=1: minutes; TEST=a06: the test of that name,
+#                  a_killed_: 200 kills of children and 200 of the service
 #   contract       a service on each store against its OpenAPI document, with schemathesis; EXAMPLES=50: requests an operation
 #   readers        outputs and clients in other programs: Python readers, browsers, generated clients, Orthanc, Prometheus
 #   answers        the answers of this build against tests/answers.tsv, to the bit, on 20 real pairs; DATA=dir

@@ -8,6 +8,7 @@ import { batchTests } from "./batches.mjs";
 import { chartTests } from "./charts.mjs";
 import * as h from "./harness.mjs";
 import { listTests } from "./lists.mjs";
+import { markupTests } from "./markup.mjs";
 import { sliceTests } from "./slices.mjs";
 import { studyTests } from "./studies.mjs";
 import { unitTests } from "./units.mjs";
@@ -755,6 +756,7 @@ chartTests({ test, service: () => open, pair: () => pair, submit, finished, json
 listTests({ test, service: () => open, pair: () => pair, submit, finished, api, json, drop });
 batchTests({ test, service: () => open, pair: () => pair, json, drop });
 sliceTests({ test, service: () => open, submit, finished, api, json });
+markupTests({ test, service: () => open, pair: () => pair, json, api, sent, finished });
 studyTests({ test, service: () => open, upload, json, sent, sphere });
 
 /** A batch of one template against subjects, in the form of the example. */

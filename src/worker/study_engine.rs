@@ -26,7 +26,7 @@ use homolog_study::cohort::{Cohort, CohortError};
 use homolog_study::findings::find;
 use homolog_study::folder::{Decision, Folder, Verdict, decisions_table, record_name};
 use homolog_study::matching::Watcher;
-use homolog_study::memory::{measures, permutations, step_bytes, tests};
+use homolog_study::memory::{measures, permutations, step_bytes};
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
@@ -49,10 +49,6 @@ const CORES: usize = 8;
 /// What a step takes besides the arrays that depend on its size: stacks of threads, and what the allocator keeps.
 const BESIDES: u64 = 64 << 20;
 
-/// Most values of t that the permutation tests of one study may compute. With 100 subjects a value takes about 0.1 µs of a core, so that
-/// this many take about an hour on two.
-const MOST_TESTS: u64 = 100_000_000_000;
-
 /// A step of a study.
 #[derive(Debug)]
 pub(super) struct StudyStep {
@@ -68,7 +64,7 @@ impl StudyStep {
 }
 
 /// Refuses a study whose largest match or whose steps would take more memory than `limits` allow or more processor time than `price`
-/// does, or whose tests would take hours.
+/// does.
 ///
 /// # Errors
 /// `too-large`, with the numbers.
@@ -81,13 +77,7 @@ pub(super) fn check_size(
         |detail: String| InputRefusal { code: "too-large".to_owned(), detail, topology: None, place_mm: None };
     let size = definition.size();
     let StudySize { subjects, vertices, contrasts, .. } = size;
-    let (measures, permutations, tests) = (measures(&size), permutations(&size), tests(&size));
-    if tests > MOST_TESTS {
-        return Err(refusal(format!(
-            "{permutations} permutations of {vertices} vertices, {measures} measures and {contrasts} contrasts are {tests} tests, of which \
-             a study may have {MOST_TESTS}; ask for fewer permutations, measures or contrasts, or for a smaller template"
-        )));
-    }
+    let (measures, permutations) = (measures(&size), permutations(&size));
     let (needed, limit) = (step_bytes(&size, cores()), limits.max_match_bytes);
     if needed > limit {
         return Err(refusal(format!(

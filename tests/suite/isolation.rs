@@ -202,7 +202,7 @@ fn a_killed_child_takes_nothing_with_it_and_its_job_ends_right() {
         timeless(get(&keys[0], &format!("/v1/jobs/{id}/result")))
     };
     let mut neighbor: Option<(String, u32)> = None;
-    let (mut n_killed, mut n_ended) = (0, 0);
+    let (mut n_killed, mut n_jobs, mut n_ended) = (0, 0, 0);
     while n_killed < length(20, 200) {
         if let Some((id, pid)) = neighbor.take() {
             match exists(pid) && computes(pid) {
@@ -219,6 +219,7 @@ fn a_killed_child_takes_nothing_with_it_and_its_job_ends_right() {
         });
         let pid = *pid;
         let id = submit(&keys[0], "{}");
+        n_jobs += 1;
         let victim = eventually("the job runs or has ended", || {
             let other = computing(server.pid()).into_iter().find(|&child| child != pid);
             match get(&keys[0], &format!("/v1/jobs/{id}"))["finished_at"].is_string() {
@@ -244,6 +245,9 @@ fn a_killed_child_takes_nothing_with_it_and_its_job_ends_right() {
         n_ended += 1;
     }
     assert!(n_ended > 0);
+    println!(
+        "{n_killed} children killed; {n_jobs} jobs and {n_ended} of the neighbor ended right, in one attempt each"
+    );
 }
 
 #[test]
@@ -335,7 +339,9 @@ fn a_killed_service_loses_no_job_and_leaves_no_child() {
         }
     }
     let listed = server.get("/v1/jobs?page_size=500&fields=state");
-    assert_eq!(listed["jobs"].as_array().unwrap().len() as u64, (2 * (length(4, 200) + 1)).min(500), "nothing twice");
+    let n_jobs = 2 * (length(4, 200) + 1);
+    assert_eq!(listed["jobs"].as_array().unwrap().len() as u64, n_jobs.min(500), "nothing twice");
+    println!("service killed {} times; {n_jobs} jobs ended right, none twice; no child was left", length(4, 200));
 }
 
 /// The engine whose children run the built program.

@@ -137,11 +137,13 @@ fn a_torus_is_refused_by_spharm_alone() {
 #[test]
 fn the_memory_of_a_method_is_counted_and_bounded() {
     let bytes = |method, n: usize| match_memory_bytes((n, 2 * n - 4), n, &preset(method));
+    // Thinned surfaces take no more for more vertices, and in the end less than the second opinion, which follows.
     for method in [Method::Cpd, Method::Bcpd, Method::NonrigidIcp, Method::FunctionalMap, Method::Diffeomorphic] {
         let extra = |n| bytes(method, n) - bytes(Method::Rigid, n);
-        assert!(extra(500) > 0 && extra(1_000_000) == extra(10_000), "{}", method.name());
+        assert!(extra(2_500) >= extra(10_000) && extra(1_000_000) == 0, "{}", method.name());
     }
+    assert!(bytes(Method::Cpd, 1_500) > bytes(Method::Rigid, 1_500));
     for method in [Method::SpharmPdm, Method::Medial] {
-        assert!(bytes(method, 500) > bytes(Method::Rigid, 500));
+        assert!(bytes(method, 100_000) > bytes(Method::Rigid, 100_000), "{}", method.name());
     }
 }

@@ -44,11 +44,6 @@ pub fn permutations(size: &StudySize) -> u64 {
     size.permutations.unwrap_or_else(|| Analysis::default().permutations as u64)
 }
 
-/// Number of t values computed by permutation tests: permutations × vertices × measures × contrasts.
-pub fn tests(size: &StudySize) -> u64 {
-    [permutations(size), size.vertices, measures(size), size.contrasts].into_iter().fold(1, u64::saturating_mul)
-}
-
 /// Upper bound of the memory allocated by a step of the study on `threads` threads, bytes, excluding the process's own.
 pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let StudySize { subjects: n, vertices: v, faces: f, .. } = *size;

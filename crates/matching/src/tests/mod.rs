@@ -4,7 +4,7 @@ mod displaced;
 mod displacement;
 mod stages;
 
-use crate::{MatchError, MatchOutcome, match_memory_bytes, match_surfaces};
+use crate::{MatchError, MatchOutcome, match_surfaces};
 use homolog_contract::parameters::{Algorithm, DisplacementMode, MatchParameters, Method, preset, resolve};
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{FaceArity, SurfaceMesh};
@@ -255,24 +255,6 @@ fn the_default_traces_belief_propagation_then_ransac_then_the_fits_of_the_field(
     // At one scale the misfit falls as the surfaces approach each other.
     let misfit = |k: usize| trace[k].energy_unary.unwrap();
     assert!(misfit(7) < misfit(0), "{} {}", misfit(0), misfit(7));
-}
-
-#[test]
-fn the_memory_of_a_match_is_predicted() {
-    // A triangle mesh of 2,310 vertices against 2,626: the measured peak of the whole process is 242 MiB, 17 of them
-    // without any messages. This pair is not bent.
-    let mib = |n: usize, labels: usize, request: serde_json::Value| {
-        match_memory_bytes((n, 2 * n - 4), labels, &parameters(request)) as f64 / f64::from(1 << 20)
-    };
-    let stiff = |inference: serde_json::Value| json!({"inference": inference, "displacement": {"bending": "none"}});
-    let direct = mib(2310, 2626, stiff(json!({"coarse_vertices": null})));
-    assert!((0.9 * 242.0..1.1 * 242.0).contains(&direct), "{direct}");
-    // On a coarse level memory grows with the surfaces, not with their product.
-    let (small, large) = (mib(10_000, 10_000, json!({})), mib(160_000, 160_000, json!({})));
-    assert!(small < 120.0 && large < 16.0 * small, "{small} {large}");
-    // Two bent bodies of 5,000 vertices, with and without bending-invariant forms: they differ by 45 MiB.
-    let (bent, rigid) = (mib(5000, 5000, json!({})), mib(5000, 5000, stiff(json!({}))));
-    assert!((0.9 * 45.0..1.1 * 45.0).contains(&(bent - rigid)), "{bent} {rigid}");
 }
 
 /// Share of source vertices whose label is the vertex that they were moved to.

@@ -24,6 +24,9 @@ mod overhead;
 mod pairs;
 #[path = "service/place.rs"]
 mod place;
+#[path = "../tests/suite/patience.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
+mod patience;
 #[path = "../tests/suite/faults/postgres.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod postgres;

@@ -346,7 +346,7 @@ mod tests {
 
     #[test]
     fn a_format_that_a_part_does_not_have_is_refused() {
-        let columns = br#"{"source": [], "target": [], "confidence": [], "inlier": []}"#.as_slice();
+        let columns = br#"{"source": [], "target": [], "confidence": [], "inlier": [], "spread_mm": [], "outlier": [], "triangle": [], "barycentric": []}"#.as_slice();
         let forward = ResultPart::Correspondences { direction: WarpDirection::Forward };
         for (part, format) in [(forward, PartFormat::Lta), (ResultPart::Aligned, PartFormat::Stl)] {
             let error = present(part, format, &[columns]).unwrap_err();

@@ -3,7 +3,6 @@
 use super::jobs_support::{TestService, form, problem};
 use reqwest::multipart::{Form, Part};
 use serde_json::{Value, json};
-use std::time::{Duration, Instant};
 
 #[tokio::test]
 async fn a_submission_becomes_a_result() {

@@ -7,7 +7,6 @@ use std::fs;
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
 
 /// Exit code, standard output and standard error, without settings of the environment.
 fn run(arguments: &[&str]) -> (Option<i32>, String, String) {

@@ -174,7 +174,11 @@ impl Computation for Obedience {
             result["energy"] = json!({"final": number("energy")});
         }
         let product = |kind, text: String| Product { kind, bytes: text.into_bytes() };
-        let columns = json!({"source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false]});
+        let columns = json!({
+            "source": [0, 1], "target": [1, 0], "confidence": [0.5, 0.25], "inlier": [true, false], "spread_mm": [0.0, 0.0],
+            "outlier": ["none", "none"], "triangle": [[1, 1, 1], [0, 0, 0]],
+            "barycentric": [[1.0, 0.0, 0.0], [1.0, 0.0, 0.0]],
+        });
         let products = vec![
             product(ArtifactKind::Result, result.to_string()),
             product(ArtifactKind::Correspondences, columns.to_string()),

@@ -189,7 +189,8 @@ async fn the_feed_of_changes_waits_for_the_next_one() {
         service.submit(json!({})).await
     };
     let began = Instant::now();
-    let (page, id) = tokio::join!(service.json(&format!("/v1/changes?since=0&wait={WAIT_S}")), submits);
+    let waiting = format!("/v1/changes?since=0&wait={WAIT_S}");
+    let (page, id) = tokio::join!(service.json(&waiting), submits);
     assert!(began.elapsed() < BEFORE_ITS_END, "{:?}", began.elapsed());
     assert_eq!((&page["changes"][0]["job_id"], &page["changes"][0]["state"]), (&json!(id), &json!("queued")));
 

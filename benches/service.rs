@@ -5,7 +5,8 @@
 //! `overhead`, `schedule`, `template`, `isolation`) runs one part, and `schedule-gain`, `schedule-small`, `schedule-middle` or
 //! `schedule-mixed` one part of `schedule`. SERVICE_BENCH_PARAMETERS (JSON) and SERVICE_BENCH_JOBS set the parameters
 //! of these matches and the number of jobs of each workload; `template` takes the files of the folder
-//! SERVICE_BENCH_SUBJECTS, if set, in place of phantoms: the first as template, the next 100 as subjects. PostgreSQL is
+//! SERVICE_BENCH_SUBJECTS, if set, in place of phantoms: the first as template, the next 100 as subjects.
+//! SERVICE_BENCH_PROGRAM is another build of the program, for `template`, `isolation` and `overhead`. PostgreSQL is
 //! a private cluster as in the fault tests; where it is not installed, its rows are missing. No test depends on this
 //! benchmark.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::panic, missing_docs)]

@@ -41,7 +41,8 @@ impl Node {
     pub(crate) fn program(environment: &[(&'static str, String)]) -> Self {
         // The kernel kills it when this process ends, even if this process is killed.
         let mut command = Command::new("setpriv");
-        command.args(["--pdeathsig", "KILL", "--", env!("CARGO_BIN_EXE_homolog"), "serve"]);
+        let program = std::env::var_os("SERVICE_BENCH_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_homolog").into());
+        command.args(["--pdeathsig", "KILL", "--"]).arg(program).arg("serve");
         Node::spawn(command, environment)
     }
 

@@ -67,9 +67,9 @@ fn export(folder: &Path) {
     println!("{n} variables, {labels} labels, {} edges, neighborhoods of {:.1}", edges.len(), model.labels.mean_size());
 }
 
-fn measure(update: &str, threads: usize, iterations: u32) {
+fn measure(name: &str, threads: usize, iterations: u32) {
     let model = model();
-    let update = match update {
+    let update = match name {
         "sparse" => Update::Sparse,
         "full" => Update::Full,
         other => panic!("no update {other}"),
@@ -89,7 +89,7 @@ fn measure(update: &str, threads: usize, iterations: u32) {
     });
     taken.sort_by(f64::total_cmp);
     println!(
-        "| homolog, {update} update | {threads} | {:.3} | {:.3} to {:.3} | {:.0} | {energy:.1} |",
+        "| homolog, {name} update | {threads} | {:.3} | {:.3} to {:.3} | {:.0} | {energy:.1} |",
         taken[RUNS / 2] * 1e3,
         taken[0] * 1e3,
         taken[RUNS - 1] * 1e3,

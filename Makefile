@@ -35,8 +35,8 @@
 #              seconds; WITHIN=10: seconds that an input may take (2 unless set), for busy machines; needs a nightly toolchain
 # make methods  published methods (docs/methods) beside other programs of the same methods; DATA, EVAL as for make accuracy;
 #             CASES=set:index,... pairs other than the default ones
-# make study   measure studies of real hippocampi: models, simulated atrophy, splits without an effect, time, memory; DATA=dir: label
-#              volumes in dir/hippocampus; PARTS=time,null: some of them; SPLITS=200: splits without an effect
+# make study   measure studies of real hippocampi: models, joint maps, simulated atrophy, splits without an effect, time, memory;
+#              DATA=dir: label volumes in dir/hippocampus; PARTS=time,null: some of them; SPLITS=200: splits without an effect
 # make study-others  the same studies with correspondences by spherical harmonics, ICP and coherent point drift; DATA as above;
 #              PARTS=model,cycles,atrophy: some of them
 # make bench   benchmarks of a match

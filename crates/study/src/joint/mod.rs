@@ -102,6 +102,9 @@ struct Placed {
     back: Matrix3<f64>,
 }
 
+/// A shape, and what remains between it and its prediction at each vertex, in the frame of the mean, mm.
+type Residual = (Placed, Vec<Vector3<f64>>);
+
 impl Group<'_> {
     /// Revises the maps of subjects `0..maps.len()`, at least three, together. The result does not depend on the number
     /// of threads.
@@ -112,10 +115,10 @@ impl Group<'_> {
     /// # Cost
     /// In each round, for `n` subjects, `V` vertices and `M` modes: `O(n² V)` for inner products, `folds` decompositions
     /// of `n × n` matrices, `O(folds · n V M)` for modes, and `n V` closest points.
-    pub fn revise(&self, maps: &Vec<Vec<[f32; 3]>>) -> Result<Revised, StudyError> {
+    pub fn revise(&self, maps: &[Vec<[f32; 3]>]) -> Result<Revised, StudyError> {
         let (n, graph) = (maps.len(), self.template.edge_graph());
         let edge_mm = self.template.mean_edge_length();
-        let (mut shapes, mut rounds) = (maps.clone(), Vec::new());
+        let (mut shapes, mut rounds) = (maps.to_vec(), Vec::new());
         let mut stiffness = None;
         let (mut alignment, mut group) = self.group(&shapes)?;
         while rounds.len() < self.settings.max_rounds {
@@ -200,10 +203,10 @@ impl Group<'_> {
         shapes: &[Vec<[f32; 3]>],
         alignment: &Alignment,
         group: &group::Group,
-    ) -> Result<Vec<(Placed, Vec<Vector3<f64>>)>, StudyError> {
+    ) -> Result<Vec<Residual>, StudyError> {
         let n = shapes.len();
         let n_folds = self.settings.folds.min(n);
-        let folds: Vec<Vec<(Placed, Vec<Vector3<f64>>)>> = (0..n_folds)
+        let folds: Vec<Vec<Residual>> = (0..n_folds)
             .into_par_iter()
             .map(|fold| {
                 checkpoint(self.observer)?;
@@ -217,12 +220,7 @@ impl Group<'_> {
         Ok((0..n).filter_map(|i| folds[i % n_folds].next()).collect())
     }
 
-    fn residual(
-        &self,
-        shape: &[[f32; 3]],
-        model: &GroupModel,
-        weights: &[f64],
-    ) -> Result<(Placed, Vec<Vector3<f64>>), StudyError> {
+    fn residual(&self, shape: &[[f32; 3]], model: &GroupModel, weights: &[f64]) -> Result<Residual, StudyError> {
         let own = points(shape);
         let onto = onto(&own, &model.mean, weights, self.size == Size::Removed)
             .map_err(|error| StudyError::Alignment { id: "of a joint map".to_owned(), error })?;

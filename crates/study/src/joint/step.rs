@@ -65,9 +65,9 @@ pub(crate) fn revised(
     let mut order = members;
     order.extend(ordered(&|place| !matches!(place, Place::Model | Place::Failed)));
     let mut hasher = blake3::Hasher::new();
-    let size = format!("{:?}", study.settings.size);
+    let how = format!("{:?} {settings:?}", study.settings.size);
     let keys = order[..n_core].iter().map(|&k| matched.keys[k].as_str());
-    for part in [VERSION, env!("CARGO_PKG_VERSION"), &template.hash, &size].into_iter().chain(keys) {
+    for part in [VERSION, env!("CARGO_PKG_VERSION"), &template.hash, &how].into_iter().chain(keys) {
         hasher.update(part.as_bytes()).update(&[0]);
     }
     let group = hasher.finalize().to_hex().to_string();
@@ -100,8 +100,8 @@ pub(crate) fn revised(
             for (row, points) in found.maps.iter().enumerate() {
                 keep(row, points.clone())?;
             }
-            for row in n_core..order.len() {
-                keep(row, work.revise_another(row, &map(order[row])?, &found)?)?;
+            for (row, &k) in order.iter().enumerate().skip(n_core) {
+                keep(row, work.revise_another(row, &map(k)?, &found)?)?;
             }
             let findings = JointFindings {
                 group,

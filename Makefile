@@ -37,7 +37,7 @@
 #   thresholds     the effect of each number of benches/thresholds.toml, hours; ONLY=NAME,...; target/thresholds/thresholds.md
 #
 # Measurements of studies and of speed
-#   study          studies of real hippocampi: models, effects, time, memory; PARTS=time,null; SPLITS=200
+#   study          studies of real hippocampi: models, effects, time, memory; PARTS=joint,null; SPLITS=200
 #   study-others   the same with correspondences by other methods; PARTS=model,cycles,atrophy
 #   bench          a match
 #   bench-service  the service; PART=poll: one part

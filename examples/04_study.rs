@@ -11,7 +11,7 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::Watcher;
 use homolog_study::output::write;
 use homolog_study::plan::Study;
-use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use std::path::Path;
 
 struct Printer;
@@ -31,6 +31,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         template: TemplateChoice::Made(MadeTemplate { subjects: 4, max_rounds: 2, ..MadeTemplate::default() }),
         template_side: None,
         size: Size::Kept,
+        correspondence: Correspondence::Pairs,
         analysis: Analysis {
             effect: Some(effect.clone()),
             measures: vec![Measure::NormalDisplacement],

@@ -1,6 +1,6 @@
 """Measures studies: on real hippocampi, on simulated atrophy, on splits without an effect, killed, timed, and large.
 
-Usage: study.py --binary homolog --data DIR --out DIR [--parts hippocampi,starts,atrophy,null,killed,time,memory] [--subjects N]
+Usage: study.py --binary homolog --data DIR --out DIR [--parts hippocampi,joint,starts,atrophy,null,killed,time,memory] [--subjects N]
 DIR/hippocampus has label volumes (*.nii.gz). Everything is kept in --out, so that what is there is not computed again. Figures go
 to OUT/figures.json and to the standard output. Needs numpy, scipy, scikit-image and nibabel."""
 import argparse
@@ -19,7 +19,7 @@ arguments = argparse.ArgumentParser()
 arguments.add_argument("--binary", required=True)
 arguments.add_argument("--data", required=True)
 arguments.add_argument("--out", required=True)
-arguments.add_argument("--parts", default="time,hippocampi,starts,atrophy,null,killed,memory")
+arguments.add_argument("--parts", default="time,hippocampi,joint,starts,atrophy,null,killed,memory")
 arguments.add_argument("--subjects", type=int, default=60)
 arguments.add_argument("--examples", help="folder of the examples null_splits and templates_apart of homolog-study")
 arguments.add_argument("--splits", type=int, default=200)
@@ -53,6 +53,22 @@ if "hippocampi" in parts:
         seconds, processor, memory = study(cohort, folder, *options)
         say(f"hippocampi {name}", **model_figures(folder), rounds=document(folder)["rounds"], seconds=round(seconds, 1),
             processor_seconds=round(processor, 1), memory_mib=round(memory))
+
+if "joint" in parts:
+    # All subjects and two halves of them: the same template and matches, with and without joint maps.
+    for name, some in (("all", files), ("even", files[::2]), ("odd", files[1::2])):
+        cohort = table(out / f"joint-{name}.csv", [{"id": stem(f), "file": f} for f in some])
+        for maps in ("pairs", "joint"):
+            folder = out / f"joint-{name}-{maps}"
+            if maps == "joint":
+                for part in ("matches", "template"):
+                    shutil.copytree(out / f"joint-{name}-pairs" / part, folder / part, dirs_exist_ok=True)
+            seconds, processor, memory = study(cohort, folder, "--cycles", 8, "--correspondence", maps)
+            found = list(csv.DictReader(open(folder / "quality.csv")))
+            mean = lambda key: round(float(np.mean([float(row[key]) for row in found if row[key]])), 5)
+            say(f"joint {name} {maps}", **model_figures(folder), residual_mm=mean("residual_mm"), folded=mean("folded"),
+                joint=document(folder)["found"]["joint"], seconds=round(seconds, 1), processor_seconds=round(processor, 1),
+                memory_mib=round(memory))
 
 if "starts" in parts:
     # Two starts: the subjects of least and of greatest volume among those that the template is made from.

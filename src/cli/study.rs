@@ -17,7 +17,7 @@ use homolog_study::folder::{Decision, Folder, read_decisions};
 use homolog_study::matching::Watcher;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
-use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use homolog_study::sides::template_side;
 use std::collections::BTreeSet;
 use std::fs;
@@ -76,6 +76,10 @@ pub(super) struct StudyArgs {
     /// Take size out of shape: subjects are scaled to one size
     #[arg(long)]
     without_size: bool,
+    /// Origin of the maps: each subject's own match with the template, or these matches revised together under a model
+    /// of the group
+    #[arg(long, value_name = "pairs|joint", default_value = Correspondence::ALL[0].name(), value_parser = PossibleValuesParser::new(Correspondence::ALL.map(Correspondence::name)))]
+    correspondence: String,
     /// Number of subjects among which the consistency of maps is measured, at three matches each; 0: not measured
     #[arg(long, value_name = "N", default_value_t = 0)]
     cycles: usize,
@@ -215,6 +219,7 @@ fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
         template,
         template_side: args.template_side.as_deref().and_then(BodySide::of_name),
         size: if args.without_size { Size::Removed } else { Size::Kept },
+        correspondence: Correspondence::of_name(&args.correspondence).unwrap_or_default(),
         analysis,
         cycle_subjects: args.cycles,
         cycle_ring: Vec::new(),

@@ -49,6 +49,10 @@ pub(crate) struct StudySubmissionDocument {
     /// Take size out of shape: subjects are scaled to one size.
     #[serde(default)]
     pub(crate) without_size: bool,
+    /// Origin of the maps: `pairs`, each subject's own match with the template, or `joint`, these matches revised together under a
+    /// model of the group; `pairs` if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) correspondence: Option<String>,
     /// Subjects among which the consistency of maps is measured, at three matches each; not measured if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schema(maximum = 1000)]
@@ -107,6 +111,7 @@ impl StudySubmissionDocument {
             template_subjects: self.template_subjects,
             template_rounds: self.template_rounds,
             without_size: self.without_size,
+            correspondence: self.correspondence.clone(),
             cycles: self.cycles.unwrap_or(0),
             effect: self.effect.clone(),
             adjust: self.adjust.clone(),

@@ -193,6 +193,9 @@ pub struct StudyQuestions {
     pub template_rounds: Option<u32>,
     /// Whether size is taken out of shape.
     pub without_size: bool,
+    /// Origin of the maps, by name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub correspondence: Option<String>,
     /// Subjects among which the consistency of maps is measured.
     pub cycles: u32,
     /// The covariate of interest.
@@ -267,6 +270,7 @@ impl StudyDefinition {
             ring: if asked.cycles < 3 { 0 } else { asked.cycles.into() },
             file_bytes: inputs().map(|input| input.n_bytes).max().unwrap_or(0),
             has_volumes: inputs().any(is_volume),
+            joint: asked.correspondence.as_deref() == Some("joint"),
         }
     }
 }

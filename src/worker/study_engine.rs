@@ -32,7 +32,7 @@ use homolog_study::place::Inputs;
 use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
 use homolog_study::price::step_price;
 use homolog_study::record::Record;
-use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use homolog_study::sides::template_side;
 use homolog_study::statistics::design::Design;
 use serde::{Deserialize as _, Serialize};
@@ -218,6 +218,7 @@ impl Watcher for Watched<'_> {
     fn progress(&self, what: &str, done: usize, of: usize) {
         // Parts of a step, by how long they take: the model, the statistics, and what is written.
         let (from, to) = match what {
+            "joint maps" => (0.0, 0.05),
             "shape model" => (0.05, 0.2),
             "labels" => (0.2, 0.4),
             "statistics" => (0.4, 0.8),
@@ -299,6 +300,7 @@ fn settings(definition: &StudyDefinition) -> Result<Settings, StudyError> {
         template,
         template_side: asked.template_side,
         size: if asked.without_size { Size::Removed } else { Size::Kept },
+        correspondence: asked.correspondence.as_deref().and_then(Correspondence::of_name).unwrap_or_default(),
         analysis,
         cycle_subjects: asked.cycles as usize,
         cycle_ring: Vec::new(),
@@ -330,6 +332,12 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         let known: Vec<&str> = measures.into_iter().collect();
         let shown: String = unknown.chars().take(64).collect();
         faults.push(fault("/measures".to_owned(), format!("{shown} is none of {}", known.join(", "))));
+    }
+    let correspondence = definition.questions.correspondence.as_deref();
+    if let Some(unknown) = correspondence.filter(|name| Correspondence::of_name(name).is_none()) {
+        let shown: String = unknown.chars().take(64).collect();
+        let known = Correspondence::ALL.map(Correspondence::name).join(", ");
+        faults.push(fault("/correspondence".to_owned(), format!("{shown} is none of {known}")));
     }
     let ids = || definition.subjects.iter().map(|subject| &subject.id);
     if let Some(start) = definition.questions.start.as_ref().filter(|start| !ids().any(|id| id == *start)) {

@@ -26,4 +26,7 @@ pub struct StudySize {
     pub file_bytes: u64,
     /// Whether a file is a label volume.
     pub has_volumes: bool,
+    /// Whether maps are revised together.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub joint: bool,
 }

@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let mut subjects = Vec::new();
         for (row, &k) in found.members.iter().enumerate() {
             debug_assert_eq!(study.cohort.subjects[k].role, Role::Model);
-            let record = folder.get(&matched.keys[k])?.ok_or("a record is missing")?;
+            let record = folder.get(&found.matched.keys[k])?.ok_or("a record is missing")?;
             let onto = &found.alignment.onto_mean[row];
             let own = record.points.iter().map(|p| onto.apply(&Point3::from(p.map(f64::from)))).collect();
             subjects.extend(measured(measure, &found.mean, &found.mean.with_vertices(own)?, &Silent)?);

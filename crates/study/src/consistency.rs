@@ -10,6 +10,10 @@
 //!   is reported to show the cost of that.
 //!
 //! The distance between pair maps and maps through the template is reported too.
+//!
+//! With joint maps ([`crate::joint`]) the match back to the template has to follow the revision: a point of a subject
+//! first goes where the pair map has the vertices that the joint map has at the point. The cycle then measures the
+//! agreement of both matches as before, in the revised positions.
 
 use crate::error::StudyError;
 use crate::folder::Folder;
@@ -77,13 +81,15 @@ fn distances(mut all: Vec<f64>) -> Distances {
     Distances { mean_mm: all.iter().sum::<f64>() / n as f64, median_mm: at(50), p95_mm: at(95) }
 }
 
-/// Measures the cycles of a study; `None` if none were requested, or a match of the ring failed.
+/// Measures the cycles of a study; `None` if none were requested, or a match of the ring failed. `maps` has the keys of
+/// the maps that the study uses, `matched` those of the matches.
 ///
 /// # Errors
 /// Errors of reading records and files; [`StudyError::Interrupted`].
 pub fn consistency(
     study: &Study,
     matched: &Matched,
+    maps: &Matched,
     folder: &Folder,
     observer: &dyn Observer,
 ) -> Result<Option<Consistency>, StudyError> {
@@ -114,9 +120,15 @@ pub fn consistency(
     };
     let n = cycles.ring.len();
     let (mut out, mut back, mut to, mut inverse) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let mut unrevised = Vec::new();
     for (k, surface) in surfaces.iter().enumerate() {
         let next = &surfaces[(k + 1) % n];
-        let onto = record(&matched.keys[cycles.ring[k]], mesh.n_vertices())?;
+        let (own, used) = (&matched.keys[cycles.ring[k]], &maps.keys[cycles.ring[k]]);
+        let onto = record(used, mesh.n_vertices())?;
+        unrevised.push(match (record(own, mesh.n_vertices())?, &onto) {
+            (Some(pair), Some(onto)) if own != used => Some(SurfaceMap::new(&mesh.with_vertices(onto.clone())?, pair)),
+            _ => None,
+        });
         let found = (
             record(&cycles.forward[k], surface.n_vertices())?,
             record(&cycles.backward[k], next.n_vertices())?,
@@ -136,7 +148,11 @@ pub fn consistency(
         .map(|k| {
             let begin: Vec<Point3<f64>> = used(&surfaces[k]);
             let next = (k + 1) % n;
-            let template = to[k].1.apply(&to[k].0.apply(&begin, observer)?, observer)?;
+            let matched = match &unrevised[k] {
+                Some(revision) => revision.apply(&begin, observer)?,
+                None => begin.clone(),
+            };
+            let template = to[k].1.apply(&to[k].0.apply(&matched, observer)?, observer)?;
             let pair_image = out[k].apply(&begin, observer)?;
             let pair = back[k].apply(&pair_image, observer)?;
             let (mut by_pairs, mut through) = (begin.clone(), begin.clone());

@@ -5,6 +5,7 @@ use crate::cohort::Role;
 use crate::consistency::{Consistency, consistency};
 use crate::error::StudyError;
 use crate::folder::{Decision, Folder, Verdict};
+use crate::joint::JointFindings;
 use crate::labels::{carried, dice, labels_at, voted};
 use crate::matching::{Interruption, Watcher};
 use crate::measures::measured;
@@ -12,7 +13,7 @@ use crate::model::ShapeModel;
 use crate::plan::{Matched, Records, Study};
 use crate::quality::{Flag, flags};
 use crate::record::{Facts, Record};
-use crate::settings::{Measure, Size, TemplateChoice};
+use crate::settings::{Correspondence, Measure, Size, TemplateChoice};
 use crate::statistics::VertexValues;
 use crate::statistics::design::{Contrast, Design};
 use crate::statistics::effect::{Effect, effect, subjects_needed};
@@ -35,8 +36,10 @@ use std::collections::{BTreeMap, BTreeSet};
 /// All findings of a study.
 #[derive(Debug, Clone)]
 pub struct Findings {
-    /// The template, and the matches.
+    /// The template, and the maps: matches, or joint maps.
     pub matched: Matched,
+    /// How joint maps were made.
+    pub joint: Option<JointFindings>,
     /// Findings for each subject, in the order of the cohort.
     pub subjects: Vec<SubjectFindings>,
     /// Subjects of the model, as indices into the cohort.
@@ -195,7 +198,6 @@ pub fn find(
     watcher: &dyn Watcher,
 ) -> Result<Findings, StudyError> {
     let observer = &Interruption(watcher);
-    watcher.progress("shape model", 0, 1);
     let (cohort, template) = (&study.cohort, &matched.making.template.mesh);
     let mut subjects = Vec::new();
     for (k, subject) in cohort.subjects.iter().enumerate() {
@@ -244,6 +246,16 @@ pub fn find(
         let (matched, all) = (members.len(), subjects.len());
         return Err(StudyError::TooFewMatches { matched, all, purpose: "for a shape model", reason });
     }
+    let (pairs, mut matched) = (matched, matched.clone());
+    let joint = match study.settings.correspondence {
+        Correspondence::Pairs => None,
+        Correspondence::Joint => {
+            watcher.progress("joint maps", 0, 1);
+            Some(crate::joint::revised(study, &mut matched, folder, &mut subjects, observer)?)
+        }
+    };
+    let matched = &matched;
+    watcher.progress("shape model", 0, 1);
     let keys = |of: &[usize]| of.iter().map(|&k| (matched.keys[k].clone(), cohort.subjects[k].id.clone())).collect();
     let shapes = folder.shapes(keys(&members), template.n_vertices());
     let alignment = align(&WatchedShapes { shapes: &shapes, observer }, template, study.settings.size)?;
@@ -279,9 +291,9 @@ pub fn find(
     flags(&mut subjects);
     watcher.progress("statistics", 0, 1);
     let statistics = statistics(study, matched, folder, &alignment, &mean, &subjects, &members, watcher)?;
-    let consistency = consistency(study, matched, folder, observer)?;
+    let consistency = consistency(study, pairs, matched, folder, observer)?;
     let matched = matched.clone();
-    Ok(Findings { matched, subjects, members, alignment, mean, model, statistics, consistency, labels })
+    Ok(Findings { matched, joint, subjects, members, alignment, mean, model, statistics, consistency, labels })
 }
 
 /// A subject's shape, moved onto the mean.

@@ -20,7 +20,7 @@ use std::sync::Mutex;
 use std::sync::atomic::AtomicU64;
 
 /// Subfolders; the first is the folder itself.
-const PARTS: [&str; 7] = ["", "matches", "template", "modes", "maps", "subjects", "labels"];
+const PARTS: [&str; 8] = ["", "matches", "matches/joint", "template", "modes", "maps", "subjects", "labels"];
 
 /// A study's folder.
 #[derive(Debug)]

@@ -7,6 +7,7 @@ pub mod consistency;
 pub mod error;
 pub mod findings;
 pub mod folder;
+pub mod joint;
 pub mod labels;
 pub mod matching;
 pub mod measures;

@@ -4,6 +4,7 @@
 //! that it exceeds the count of an allocator (`tests/memory.rs`). `n` subjects, `v` vertices and `f` faces of the
 //! template, `t` threads.
 
+use crate::joint::{JointSettings, SURFACES_BYTES};
 use crate::settings::{Analysis, Measure};
 use homolog_contract::study::StudySize;
 
@@ -59,8 +60,9 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     // Per array value: 8 bytes, and 4 in base64.
     let array = 14 * v;
 
-    // The records, as read and in the folder; those of the ring are four matches each.
-    let records = times(&[2, sum(&[n, times(&[4, size.ring])]), 12 * v + 1024]);
+    // The records, as read and in the folder; those of the ring are four matches each, joint maps have their own.
+    let joint_maps = if size.joint { n } else { 0 };
+    let records = times(&[2, sum(&[n, joint_maps, times(&[4, size.ring])]), 12 * v + 1024]);
     let table = sum(&[times(&[n, SUBJECT]), times(&[size.cells, CELL])]);
     // The template as read, as matched, as written, and in the findings; the mean; weights, areas, normals, the graph.
     let surfaces = times(&[12, surface]) + 300 * v;
@@ -74,6 +76,7 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[8, n, n, 6 + 8 * t])]);
     let of_modes = times(&[modes, 24 * v]);
     let model = sum(&[aligned, gram, of_modes]);
+    let joint = if size.joint { joint_bytes(size, t) } else { 0 };
 
     // Values by subject and by vertex, then these and the residuals; results of a contrast; counts, and scratch of each
     // thread.
@@ -95,7 +98,23 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let writing = sum(&[files, page, kept, of_modes, times(&[t, 2 * written + 11 * array])]);
     // The archive has every file, and the records.
     let archive = sum(&[times(&[2, files]), page / PAGE_COPIES, records]);
-    sum(&[held, model.max(statistics).max(writing).max(archive)])
+    sum(&[held, model.max(statistics).max(writing).max(archive).max(joint)])
+}
+
+/// Memory of joint maps on `t` threads besides the records, bytes.
+fn joint_bytes(size: &StudySize, t: u64) -> u64 {
+    let StudySize { subjects, vertices: v, faces: f, .. } = *size;
+    let times = |parts: &[u64]| parts.iter().copied().fold(1, u64::saturating_mul);
+    let n = subjects.min(JointSettings::default().most_in_model as u64);
+    // A subject's surface with its index and normals, as large as the template or as its file at most.
+    let surface = 72 * v + 140 * f + size.file_bytes;
+    let held = times(&[subjects, surface]).min(SURFACES_BYTES as u64);
+    // Maps before and after a round, shapes and their matrix, residuals and normals, steps; inner products.
+    let shapes = times(&[n, 240 * v]);
+    let gram = times(&[8, n, n, 2 + 8 * t]);
+    let modes = times(&[1 + t, n / 4 + 2, 48 * v + 8 * n]);
+    let scratch = times(&[t, 2 * surface + 200 * v]);
+    [held, shapes, gram, modes, scratch].into_iter().fold(0, u64::saturating_add)
 }
 
 /// The labels of the largest volume.

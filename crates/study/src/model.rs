@@ -112,7 +112,7 @@ pub fn gram(shapes: &dyn Shapes, alignment: &Alignment) -> Result<Mat<f64>, Stud
 }
 
 /// Eigenvalues, descending, and eigenvectors of the centered matrix over some subjects.
-fn components(gram: MatRef<'_, f64>, of: &[usize]) -> Result<(Vec<f64>, Mat<f64>), StudyError> {
+pub(crate) fn components(gram: MatRef<'_, f64>, of: &[usize]) -> Result<(Vec<f64>, Mat<f64>), StudyError> {
     let n = of.len();
     let mean: Vec<f64> = of.iter().map(|&i| of.iter().map(|&j| gram[(i, j)]).sum::<f64>() / n as f64).collect();
     let whole = mean.iter().sum::<f64>() / n as f64;
@@ -156,7 +156,7 @@ fn leave_out(gram: MatRef<'_, f64>, left: &[usize]) -> Result<LeftOut, StudyErro
 }
 
 /// Number of components that explain a given share of the variance.
-fn explaining(variances: &[f64], share: f64) -> usize {
+pub(crate) fn explaining(variances: &[f64], share: f64) -> usize {
     let whole: f64 = variances.iter().sum();
     let mut sum = 0.0;
     let enough = variances.iter().position(|variance| {

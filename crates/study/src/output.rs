@@ -447,6 +447,7 @@ fn figures(found: &Findings) -> serde_json::Value {
             "generalization_mm": quality.generalization_mm,
             "specificity_mm": quality.specificity_mm,
         },
+        "joint": found.joint,
         "consistency": found.consistency,
         "dice": dice,
         "maps": maps,

@@ -6,6 +6,7 @@
 //! is not known, and iterations, sweeps and trials are counted as if all that are allowed were needed. A default match of surfaces that are bent against each other takes several times
 //! as long as one of surfaces that are not.
 
+use crate::joint::JointSettings;
 use crate::memory::{measures, permutations};
 use crate::model::n_folds;
 use homolog_contract::parameters::{
@@ -205,6 +206,10 @@ const OF_VALUE: f64 = 1.2e-7;
 /// Seconds for each byte of label volumes.
 const OF_VOLUME_BYTE: f64 = 1e-7;
 
+/// Seconds for each vertex of each subject in a round of joint maps, if all rounds are needed: predictions, slides,
+/// closest points.
+const OF_JOINT_VERTEX: f64 = 3e-6;
+
 /// The price of the largest step of a study.
 pub fn step_price(size: &StudySize) -> Price {
     let (n, v) = (size.subjects as f64, size.vertices as f64);
@@ -212,7 +217,13 @@ pub fn step_price(size: &StudySize) -> Price {
     let values = permutations(size) as f64 * maps * v;
     let volumes = if size.has_volumes { n * size.file_bytes as f64 } else { 0.0 };
     let decompositions = 1.0 + n_folds(size.subjects as usize) as f64;
+    let joint = JointSettings::default();
+    let rounds = if size.joint { joint.max_rounds as f64 } else { 0.0 };
+    let in_model = n.min(joint.most_in_model as f64);
+    let models =
+        rounds * (joint.folds as f64 * OF_DECOMPOSITION * in_model.powi(3) + OF_PAIR_VERTEX * in_model * in_model * v);
     Price::of(&[
+        (rounds * OF_JOINT_VERTEX * n * v + models, "correspondence pairs, or a smaller template"),
         (
             OF_STEP + n * (OF_SUBJECT + OF_SHAPE_VERTEX * v) + OF_VOLUME_BYTE * volumes,
             "fewer subjects or a smaller template",

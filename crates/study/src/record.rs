@@ -118,17 +118,7 @@ impl Record {
             Ok(bent) => bent,
             Err(error) => return Record::failed(error.to_string()),
         };
-        let index = ClosestPointIndex::new(&bent.mesh);
-        let used = used_vertices(&output.target);
-        let mut distances: Vec<f64> = output
-            .target
-            .vertices()
-            .iter()
-            .zip(&used)
-            .filter(|(_, used)| **used)
-            .map(|(p, _)| (index.closest(p).point - p).norm())
-            .collect();
-        distances.sort_by(f64::total_cmp);
+        let distances = distances(&output.target, &bent.mesh);
         let n = distances.len().max(1);
         let confidence = |arrays: &[VertexArray]| {
             let found = arrays.iter().find(|array| array.name == "confidence").map(|array| &array.values);
@@ -146,11 +136,14 @@ impl Record {
             rigid_distance_mm: verdict.surface_distance.mean_mm,
             residual_mm: distances.iter().sum::<f64>() / n as f64,
             residual_p95_mm: distances.get(n * 19 / 20).copied().unwrap_or(0.0),
-            folded: folded(&output.source, &bent.mesh, &output.document.transform.matrix),
+            folded: {
+                let matrix = &output.document.transform.matrix;
+                folded(&output.source, &bent.mesh, &Matrix3::from_fn(|r, c| matrix[r][c]))
+            },
             confidence: confidence(&bent.arrays),
             volume_mm3: closed.then(|| output.target.signed_volume()),
             area_mm2: output.target.area(),
-            n_vertices: used.iter().filter(|used| **used).count() as u32,
+            n_vertices: distances.len() as u32,
             repairs: input.report.repairs.iter().map(|repair| repair.detail.clone()).collect(),
         };
         let is_mirrored = output.document.provenance.parameters.input.target.mirror;
@@ -188,10 +181,18 @@ pub fn compute(
     })
 }
 
-/// Share of the faces of `source` whose normal, moved by the transform, does not point to the same side as the bent
-/// face.
-fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, matrix: &[[f64; 4]; 4]) -> f64 {
-    let linear = Matrix3::from_fn(|r, c| matrix[r][c]);
+/// Distances of the vertices of `target` that faces use from the bent source, mm, ascending.
+pub(crate) fn distances(target: &SurfaceMesh, bent: &SurfaceMesh) -> Vec<f64> {
+    let index = ClosestPointIndex::new(bent);
+    let used = target.vertices().iter().zip(used_vertices(target)).filter(|(_, used)| *used);
+    let mut distances: Vec<f64> = used.map(|(p, _)| (index.closest(p).point - p).norm()).collect();
+    distances.sort_by(f64::total_cmp);
+    distances
+}
+
+/// Share of the faces of `source` whose normal, moved by the `linear` part of a transform, does not point to the same
+/// side as the bent face.
+pub(crate) fn folded(source: &SurfaceMesh, bent: &SurfaceMesh, linear: &Matrix3<f64>) -> f64 {
     // A mirroring transform would change the sign of vector areas, but the faces of `bent` are then reversed.
     let pairs = source.face_vector_areas().into_iter().zip(bent.face_vector_areas());
     let turned = pairs.filter(|(before, after)| (linear * before).dot(after) <= 0.0).count();
@@ -213,10 +214,10 @@ mod tests {
     fn a_turned_face_counts_and_a_rotation_does_not() {
         let mesh = homolog_mesh::shapes::ellipsoid([3.0, 2.0, 1.0].into(), 1);
         let turn = nalgebra::Rotation3::from_euler_angles(1.0, 2.0, 0.5);
-        let matrix = std::array::from_fn(|r| std::array::from_fn(|c| if r < 3 && c < 3 { turn[(r, c)] } else { 0.0 }));
         let mut bent: Vec<_> = mesh.vertices().iter().map(|p| turn * p).collect();
-        let of =
-            |points: &[nalgebra::Point3<f64>]| folded(&mesh, &mesh.with_vertices(points.to_vec()).unwrap(), &matrix);
+        let of = |points: &[nalgebra::Point3<f64>]| {
+            folded(&mesh, &mesh.with_vertices(points.to_vec()).unwrap(), turn.matrix())
+        };
         assert_eq!(of(&bent), 0.0);
         // A vertex that moves to the other side takes faces with it.
         bent[0] = -bent[0];

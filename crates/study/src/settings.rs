@@ -17,6 +17,9 @@ pub struct Settings {
     pub template_side: Option<BodySide>,
     /// Whether differences in size are part of shape.
     pub size: Size,
+    /// Origin of the maps from the template to the subjects; pairs in documents of earlier versions.
+    #[serde(default)]
+    pub correspondence: Correspondence,
     /// The statistics.
     pub analysis: Analysis,
     /// Number of subjects used to measure the consistency of maps; it is not measured with fewer than 3.
@@ -73,6 +76,35 @@ pub enum Size {
     Kept,
     /// They are scaled too.
     Removed,
+}
+
+/// Origin of the maps from the template to the subjects.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Correspondence {
+    /// Each subject's own match.
+    #[default]
+    Pairs,
+    /// The matches, revised together under a model of the group ([`crate::joint`]).
+    Joint,
+}
+
+impl Correspondence {
+    /// All, the default of the command and of the service first.
+    pub const ALL: [Correspondence; 2] = [Correspondence::Pairs, Correspondence::Joint];
+
+    /// The name used in files, options and JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Correspondence::Pairs => "pairs",
+            Correspondence::Joint => "joint",
+        }
+    }
+
+    /// The origin with a name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|of| of.name() == name)
+    }
 }
 
 /// A quantity at each vertex of each subject.

@@ -14,7 +14,7 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::Watcher;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
-use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::path::Path;
 
@@ -60,6 +60,7 @@ fn settings(effect: &str) -> Settings {
         template: TemplateChoice::Made(made),
         template_side: None,
         size: Size::Kept,
+        correspondence: Correspondence::Pairs,
         analysis: Analysis {
             effect: Some(effect.to_owned()),
             measures: vec![Measure::NormalDisplacement],

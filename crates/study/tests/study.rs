@@ -13,7 +13,7 @@ use homolog_study::matching::Watcher;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::quality::Flag;
-use homolog_study::settings::{Analysis, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -50,6 +50,7 @@ fn settings() -> Settings {
         template: TemplateChoice::Made(MadeTemplate { subjects: 4, max_rounds: 2, ..MadeTemplate::default() }),
         template_side: None,
         size: Size::Kept,
+        correspondence: Correspondence::Pairs,
         analysis: Analysis {
             effect: Some("group".to_owned()),
             adjust: vec!["age".to_owned()],

@@ -15,7 +15,7 @@ use homolog_study::cohort::Cohort;
 use homolog_study::folder::Folder;
 use homolog_study::matching::Watcher;
 use homolog_study::plan::{Making, Study};
-use homolog_study::settings::{Analysis, MadeTemplate, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Settings, Size, TemplateChoice};
 use nalgebra::{Point3, Rotation3, Vector3};
 use std::path::Path;
 
@@ -75,6 +75,7 @@ fn made(folder: &Path, start: usize) -> Making {
         template: TemplateChoice::Made(how),
         template_side: None,
         size: Size::Kept,
+        correspondence: Correspondence::Pairs,
         analysis: Analysis::default(),
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

@@ -46,6 +46,19 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
         },
         if n <= 200 { "one subject at a time" } else { "a twentieth of the subjects at a time" }
     ));
+    if let Some(joint) = &found.joint {
+        let slid = joint.rounds.last().map_or(0.0, |round| round.slid_mm);
+        paragraphs.push(format!(
+            "The maps of all subjects were then revised together in {} rounds, the last of which moved vertices along the surfaces by \
+             {slid:.3} mm (RMS): each map under a Gaussian model of the other subjects ({} modes, made from {} subjects, a {} of them \
+             left out in turn), with a smooth field between model and subject (stiffness {:.2}). The model has not seen covariates.",
+            joint.rounds.len(),
+            joint.modes,
+            joint.subjects,
+            if joint.subjects <= 20 { "single one" } else { "twentieth" },
+            joint.stiffness
+        ));
+    }
     if let Some(statistics) = &found.statistics {
         let columns: Vec<String> = statistics.design.columns.iter().map(|column| escaped(column)).collect();
         let contrasts: Vec<String> = statistics
@@ -104,6 +117,9 @@ pub(super) fn references(study: &Study, found: &Findings) -> String {
         _ => vec![RANSAC, GAUSSIAN_PROCESSES],
     });
     list.extend([PROCRUSTES, SHAPE_MODELS, MODEL_QUALITY]);
+    if found.joint.is_some() {
+        list.extend([ENTROPY, PROBABILISTIC_COMPONENTS]);
+    }
     if let Some(statistics) = &found.statistics {
         if statistics.longitudinal {
             list.push(REML);
@@ -127,6 +143,7 @@ const BCPD: &str = "Hirose, O. (2021). A Bayesian formulation of coherent point 
 const CPD: &str = "Myronenko, A., Song, X. (2010). Point set registration: coherent point drift. IEEE Transactions on Pattern Analysis and Machine Intelligence 32(12), 2262–2275.";
 const DICE: &str =
     "Dice, L. R. (1945). Measures of the amount of ecologic association between species. Ecology 26(3), 297–302.";
+const ENTROPY: &str = "Cates, J., Fletcher, P. T., Styner, M., Shenton, M., Whitaker, R. (2007). Shape modeling and analysis with entropy-based particle systems. Information Processing in Medical Imaging, 333–345.";
 const FALSE_DISCOVERIES: &str = "Benjamini, Y., Hochberg, Y. (1995). Controlling the false discovery rate: a practical and powerful approach to multiple testing. Journal of the Royal Statistical Society B 57(1), 289–300.";
 const FREEDMAN_LANE: &str = "Freedman, D., Lane, D. (1983). A nonstochastic interpretation of reported significance levels. Journal of Business & Economic Statistics 1(4), 292–298.";
 const FUNCTIONAL_MAPS: &str = "Ovsjanikov, M., Ben-Chen, M., Solomon, J., Butscher, A., Guibas, L. (2012). Functional maps: a flexible representation of maps between shapes. ACM Transactions on Graphics 31(4), 30.";
@@ -136,6 +153,7 @@ const ICP: &str = "Besl, P. J., McKay, N. D. (1992). A method for registration o
 const MODEL_QUALITY: &str = "Davies, R. H., Twining, C. J., Cootes, T. F., Waterton, J. C., Taylor, C. J. (2002). A minimum description length approach to statistical shape modeling. IEEE Transactions on Medical Imaging 21(5), 525–537.";
 const NONRIGID_ICP: &str = "Amberg, B., Romdhani, S., Vetter, T. (2007). Optimal step nonrigid ICP algorithms for surface registration. IEEE Conference on Computer Vision and Pattern Recognition.";
 const PERMUTATIONS: &str = "Winkler, A. M., Ridgway, G. R., Webster, M. A., Smith, S. M., Nichols, T. E. (2014). Permutation inference for the general linear model. NeuroImage 92, 381–397.";
+const PROBABILISTIC_COMPONENTS: &str = "Tipping, M. E., Bishop, C. M. (1999). Probabilistic principal component analysis. Journal of the Royal Statistical Society B 61(3), 611–622.";
 const PROCRUSTES: &str = "Gower, J. C. (1975). Generalized Procrustes analysis. Psychometrika 40(1), 33–51.";
 const RANSAC: &str = "Fischler, M. A., Bolles, R. C. (1981). Random sample consensus: a paradigm for model fitting with applications to image analysis and automated cartography. Communications of the ACM 24(6), 381–395.";
 const REML: &str = "Patterson, H. D., Thompson, R. (1971). Recovery of inter-block information when block sizes are unequal. Biometrika 58(3), 545–554.";

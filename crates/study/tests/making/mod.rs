@@ -14,7 +14,7 @@ use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
 use std::io;
@@ -69,6 +69,7 @@ pub(crate) fn made(subjects: usize, levels: u32, contrasts: usize, covariates: u
         ring: 0,
         file_bytes: 64,
         has_volumes: false,
+        joint: false,
     };
     let analysis = Analysis {
         effect: Some("group".to_owned()),
@@ -81,6 +82,7 @@ pub(crate) fn made(subjects: usize, levels: u32, contrasts: usize, covariates: u
         template: TemplateChoice::Given { file: "template.ply".into() },
         template_side: None,
         size: Size::Kept,
+        correspondence: Correspondence::Pairs,
         analysis,
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

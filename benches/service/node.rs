@@ -6,7 +6,7 @@ use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use homolog::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Engine, Failure, InputBytes, InputRefusal, InputSummary,
-    ParameterFault, PartFormat, PresentError, ResultPart,
+    InputView, ParameterFault, PartFormat, PresentError, ResultPart,
 };
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use rayon::prelude::*;
@@ -163,7 +163,7 @@ impl Computation for ToldComputation {
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({}) })
     }
 
-    fn show_input(&self, _: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+    fn show_input(&self, _: &InputBytes<'_>, _: InputView) -> Result<Vec<u8>, InputRefusal> {
         Ok(Vec::new())
     }
 

@@ -39,6 +39,8 @@ export interface InputReport {
   repairs: unknown[];
   notes?: string[];
   topology: Topology;
+  /** Of label volumes alone. */
+  sampling?: unknown;
 }
 
 export interface JobInput {
@@ -105,7 +107,7 @@ export interface TracePoint {
 }
 
 /** What the energy of a point is of: energies of different quantities have different scales. */
-export const quantityOf = (point: TracePoint): string => point.quantity ?? (point.phase === "displacement" && point.energy !== undefined ? "field" : "labels");
+export const quantityOf = (point: TracePoint): string => point.quantity ?? (point.phase === "displacement" && point.energy !== undefined ? "field_energy" : "curvature_energy");
 
 /** Points that can be compared: of one quantity, from one start, of one round or fit, and found in one way. */
 export const runOf = (point: TracePoint): string => [quantityOf(point), point.start ?? "", point.round, point.phase].join("/");

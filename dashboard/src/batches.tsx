@@ -164,7 +164,7 @@ export function BatchView({ id }: { id: string }) {
         </span>
         <div>
           <p class="title">
-            {lost + unreliable > 0 ? `${lost + unreliable} of ${number(batch.n_jobs)} need a look` : batch.finished ? "All reliable, or not checked" : "Running"}
+            {lost + unreliable > 0 ? `${lost + unreliable} of ${number(batch.n_jobs)} ${lost + unreliable === 1 ? "needs" : "need"} a look` : batch.finished ? "All reliable, or not checked" : "Running"}
           </p>
           <p>
             {unreliable} not reliable, {lost} without a result, {done.length - unreliable} others succeeded.

@@ -14,9 +14,12 @@ export interface Volume {
 }
 
 /** A larger volume would take more memory than a page should. */
-const MOST_BYTES = 1 << 30;
+export const MOST_BYTES = 1 << 30;
 
-const KINDS: Record<number, [number, (view: DataView, at: number, little: boolean) => number]> = {
+/** The bytes of a number, and how it is read. */
+export type Reading = [number, (view: DataView, at: number, little: boolean) => number];
+
+export const KINDS: Record<number, Reading> = {
   2: [1, (view, at) => view.getUint8(at)],
   256: [1, (view, at) => view.getInt8(at)],
   4: [2, (view, at, little) => view.getInt16(at, little)],
@@ -25,6 +28,8 @@ const KINDS: Record<number, [number, (view: DataView, at: number, little: boolea
   768: [4, (view, at, little) => view.getUint32(at, little)],
   16: [4, (view, at, little) => view.getFloat32(at, little)],
   64: [8, (view, at, little) => view.getFloat64(at, little)],
+  1024: [8, (view, at, little) => Number(view.getBigInt64(at, little))],
+  1280: [8, (view, at, little) => Number(view.getBigUint64(at, little))],
 };
 
 /** The fields of a header, by their places in the two versions. */
@@ -35,7 +40,7 @@ class Header {
   constructor(readonly view: DataView) {
     const sizes = [true, false].map((little) => view.getInt32(0, little));
     const found = sizes.findIndex((size) => size === 348 || size === 540);
-    if (found < 0) throw new Error("This is no NIfTI file.");
+    if (found < 0) throw new Error("This is no volume of NIfTI, NRRD, MetaImage or MGH.");
     this.little = found === 0;
     this.second = sizes[found] === 540;
   }
@@ -130,12 +135,17 @@ export async function readNifti(file: Blob): Promise<Volume> {
   const [a, b] = slope !== 0 && Number.isFinite(slope) && Number.isFinite(start) ? [slope, start] : [1, 0];
   const values = new Float32Array(n);
   for (let k = 0; k < n; k++) values[k] = a * read(view, offset + k * width, little) + b;
-  const step = Math.max(1, Math.floor(n / 100_000));
+  return volumeOf(dims, values, header.worldFromVoxel);
+}
+
+/** A volume with the shades in which it is drawn. */
+export function volumeOf(dims: Volume["dims"], values: Float32Array, worldFromVoxel: Matrix4): Volume {
+  const step = Math.max(1, Math.floor(values.length / 100_000));
   const sample = values.filter((value, k) => k % step === 0 && Number.isFinite(value)).sort();
   let [low, high] = [0.01, 0.99].map((share) => sample[Math.floor(share * (sample.length - 1))] ?? 0) as [number, number];
   // A small label fills less than a hundredth.
   if (low === high) [low, high] = [sample[0] ?? 0, values.reduce((most, value) => Math.max(most, value), low)];
-  return { dims, values, worldFromVoxel: header.worldFromVoxel, low, high: high > low ? high : low + 1 };
+  return { dims, values, worldFromVoxel, low, high: high > low ? high : low + 1 };
 }
 
 /** The value of the voxel in which a place lies; undefined outside. */

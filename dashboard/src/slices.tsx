@@ -4,9 +4,10 @@ import { Box3, type BufferGeometry, Matrix4, Vector3 } from "three";
 import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { ApiError, type Job, call, describe } from "./api";
 import { number } from "./format";
-import { type Volume, readNifti, valueAt } from "./nifti";
+import { type Volume, valueAt } from "./nifti";
 import type { Pair } from "./pair";
 import { Check, Failure, useShownTheme, useWork } from "./parts";
+import { readVolume } from "./volumes";
 
 /** A plane of RAS: the axis across it, and those to the right and upwards. */
 interface Plane {
@@ -224,7 +225,8 @@ interface SlicesProps {
   setCross: (point: Vector3) => void;
 }
 
-const isVolume = (input: Job["source"]): boolean => input.report.format === "nifti";
+// Only volumes have a size of voxels.
+const isVolume = (input: Job["source"]): boolean => Boolean(input.report.sampling);
 
 export function Slices({ job, pair, cross, setCross }: SlicesProps) {
   const offered = (["target", "source"] as const).filter((side) => isVolume(job[side]));
@@ -238,13 +240,12 @@ export function Slices({ job, pair, cross, setCross }: SlicesProps) {
       setVolume(null);
       setFailure(null);
       if (which === null || (which === "own" && own === null)) return;
-      const bytes = which === "own" ? Promise.resolve<Blob>(own!) : call(`v1/meshes/${job[which].hash}/content`, { signal }).then((answer) => answer.blob());
-      bytes.then(readNifti).then(
+      const bytes = which === "own" ? Promise.resolve<Blob>(own!) : call(`v1/jobs/${job.id}/volumes/${which}`, { signal }).then((answer) => answer.blob());
+      bytes.then(readVolume).then(
         (read) => !signal.aborted && setVolume(read),
         (error: unknown) => {
           if (signal.aborted) return;
-          const isGone = error instanceof ApiError && error.problem.status === 404;
-          setFailure(isGone ? "The volume is not here: it was sent with the job, or its upload has been deleted. A file of yours can be shown instead." : error instanceof ApiError ? describe(error) : error instanceof Error ? error.message : String(error));
+          setFailure(error instanceof ApiError ? describe(error) : error instanceof Error ? error.message : String(error));
         },
       );
     },
@@ -294,7 +295,7 @@ export function Slices({ job, pair, cross, setCross }: SlicesProps) {
           <input
             class="quiet"
             type="file"
-            aria-label="A volume of yours, NIfTI"
+            aria-label="A volume of yours: NIfTI, NRRD, MetaImage or MGH"
             onChange={(e) => {
               const file = e.currentTarget.files?.[0];
               if (!file) return;
@@ -317,7 +318,7 @@ export function Slices({ job, pair, cross, setCross }: SlicesProps) {
         </ul>
       </div>
       <Failure text={failure} />
-      {which === null && <p class="hint">A NIfTI volume in the space of the target, such as the image that it was segmented from, is shown under both surfaces. The file stays in this browser.</p>}
+      {which === null && <p class="hint">A volume in the space of the target (NIfTI, NRRD, MetaImage, MGH), such as the image that it was segmented from, is shown under both surfaces. The file stays in this browser.</p>}
       {which === "own" && space !== "scanner_ras" && volume && <p class="hint">The target's file declares {space === undefined || space === "unknown" ? "no space" : `the space ${space.replaceAll("_", " ")}`}: the volume fits only if its coordinates are the same.</p>}
       {which !== null && volume === null && failure === null && <p class="loading">Loading the volume …</p>}
       {volume && (

@@ -37,20 +37,32 @@ function thinned(points: TracePoint[]): TracePoint[] {
 
 /** What an energy is of, and what its curve does. */
 const QUANTITIES: Record<string, { name: string; unary: string; pairwise: string; help: string }> = {
-  field: {
+  field_energy: {
     name: "the displacement field",
     unary: "misfit",
     pairwise: "deformation",
     help: "Energy of the displacement field for each independent observation. Every fit begins anew, and a fit estimates its own scale at every step, so that its energy may rise while the surfaces come closer.",
   },
-  labels: {
-    name: "the labels",
+  isometry_energy: {
+    name: "distances along the surfaces",
     unary: "unary",
     pairwise: "pairwise",
-    help: "Energy of the labeling that is decoded at each point. Belief propagation and random sweeps do not lower it at every point, and every round begins anew.",
+    help: "Energy of the assignment of target vertices over distances along the surfaces. Belief propagation does not lower it at every point; the phase registration does.",
+  },
+  mean_isometry_energy: {
+    name: "distances along the surfaces, for each variable",
+    unary: "unary",
+    pairwise: "pairwise",
+    help: "Energy of the assignment of target vertices over distances along the surfaces, divided by the number of variables: a point for each assignment from which a field begins.",
+  },
+  curvature_energy: {
+    name: "curvature",
+    unary: "unary",
+    pairwise: "pairwise",
+    help: "Energy of the assignment of target vertices over curvature. Belief propagation and random sweeps do not lower it at every point, and every round begins anew.",
   },
 };
-const named = (quantity: string) => QUANTITIES[quantity] ?? { ...QUANTITIES.labels!, name: words(quantity), help: "Values of this quantity are compared within one line only." };
+const named = (quantity: string) => QUANTITIES[quantity] ?? { ...QUANTITIES.curvature_energy!, name: words(quantity), help: "Values of this quantity are compared within one line only." };
 
 /** Where a run of comparable points begins, in words. */
 const begun = ({ start, round, phase, chosen }: TracePoint): string => `${start === undefined ? "" : `start ${start}, `}${phase === "displacement" ? "fit" : "round"} ${round}${chosen ? ", chosen" : ""}`;
@@ -62,8 +74,8 @@ export function Trace({ points, isLive }: { points: TracePoint[]; isLive: boolea
   const [wanted, setQuantity] = useState<string | null>(null);
   const known = useMemo(() => points.filter((point) => point.energy !== undefined || point.support !== undefined), [points]);
   const quantities = useMemo(() => [...new Set(known.map(quantityOf))], [known]);
-  // The field is what the answer is made from, where there is one.
-  const quantity = wanted !== null && quantities.includes(wanted) ? wanted : quantities.includes("field") ? "field" : (quantities.at(-1) ?? "labels");
+  // The energy of the answer comes last.
+  const quantity = wanted !== null && quantities.includes(wanted) ? wanted : (quantities.at(-1) ?? "curvature_energy");
   const meant = named(quantity);
   const ofQuantity = useMemo(() => known.filter((point) => quantityOf(point) === quantity), [known, quantity]);
   const rounds = useMemo(() => [...new Set(ofQuantity.map((point) => begun({ ...point, chosen: false })))], [ofQuantity]);

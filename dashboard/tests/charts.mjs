@@ -131,6 +131,8 @@ export function chartTests({ test, service, pair, submit, finished, json }) {
     for (const quantity of quantities) {
       if (quantity !== null) await choice.selectOption(quantity);
       await page.waitForTimeout(200);
+      const help = await page.textContent("#trace");
+      assert(/Energy of the (assignment of target vertices|displacement field)/.test(help), `${quantity}: ${help}`);
       const lines = await page.evaluate(() => {
         const { plot } = document.querySelector("#trace .plot");
         return plot.series.slice(1).flatMap((series, k) => (["support (inliers)", "energy, single points"].includes(series.label) ? [] : [Array.from(plot.data[0], (x, i) => [x, plot.data[k + 1][i] === undefined ? "none" : plot.data[k + 1][i]])]));

@@ -182,7 +182,7 @@ export function sliceTests({ test, service, submit, finished, api, json }) {
     const complex = gunzipSync(readFileSync(files[1]));
     complex.writeInt16LE(32, 70);
     writeFileSync(join(h.folder, "complex.nii"), complex);
-    for (const [file, said] of [[cut, "ends too early"], [join(h.folder, "complex.nii"), "of a kind that is not shown"], [new URL(import.meta.url).pathname, "no NIfTI file"]]) {
+    for (const [file, said] of [[cut, "ends too early"], [join(h.folder, "complex.nii"), "of a kind that is not shown"], [new URL(import.meta.url).pathname, "no volume of NIfTI, NRRD, MetaImage or MGH"]]) {
       await page.setInputFiles('input[aria-label^="A volume of yours"]', file);
       await page.waitForSelector(`section[aria-label="Slices"] .failure:has-text("${said}")`);
     }

@@ -29,6 +29,45 @@ const points = (buffer) => {
   return Array.from({ length: Number(head[1]) }, (_, v) => [0, 1, 2].map((k) => buffer.readDoubleBE(head.indices[0][1] + 8 * (3 * v + k))));
 };
 
+/**
+ * A report in print, on the width of a page: nothing is cut off, every subject is in the table of quality control, columns are
+ * explained, what only a screen can do is left out, and each map and mode has a picture that shows something, with a bar.
+ */
+async function printed(report, ids, nFigures) {
+  const before = report.viewportSize();
+  await report.emulateMedia({ media: "print" });
+  // A4 and Letter between the margins of Chromium.
+  await report.setViewportSize({ width: 718, height: 1000 });
+  const isShown = (selector) => report.locator(selector).evaluateAll((all) => all.map((element) => element.getClientRects().length > 0));
+  const wide = await report.evaluate(() => [...document.querySelectorAll("main *")].filter((element) => element.getBoundingClientRect().right > innerWidth + 1).map((element) => element.outerHTML.slice(0, 120)));
+  assert.deepEqual(wide, [], "wider than the page");
+  const cut = await report.evaluate(() => [...document.querySelectorAll(".scroll")].filter((element) => element.scrollHeight > element.clientHeight + 1 || element.scrollWidth > element.clientWidth + 1).map((element) => element.textContent.slice(0, 80)));
+  assert.deepEqual(cut, [], "cut off");
+  const rows = await report.evaluate(() => [...document.querySelector("table").tBodies[0].rows].filter((row) => row.getClientRects().length > 0).map((row) => row.cells[0].textContent));
+  assert.deepEqual([...rows].sort(), [...ids].sort());
+  for (const selector of [".stage", ".controls", "button", "details"]) assert((await isShown(selector)).every((shown) => !shown), `${selector} on paper`);
+  const text = await report.evaluate(() => document.querySelector("main").innerText);
+  for (const word of ["Residual: mean distance", "Compactness: variance", "Mean ± standard deviation", "\"seed\": 0", "patient-control: displacement along the outward normal, mm", "mode 5"]) assert(text.includes(word), `no "${word}" on paper`);
+  for (const word of ["Drag or use", "write its id"]) assert(!text.includes(word), `"${word}" on paper`);
+  const figures = await report.locator("#figures figure").evaluateAll((all) => all.map((figure) => {
+    const picture = figure.querySelector("canvas");
+    const { data } = picture.getContext("2d").getImageData(0, 0, picture.width, picture.height);
+    const colors = new Set();
+    for (let k = 0; k < data.length; k += 4) colors.add((data[k] >> 3 << 10) | (data[k + 1] >> 3 << 5) | (data[k + 2] >> 3));
+    return { colors: colors.size, shown: picture.getBoundingClientRect().width, bar: figure.querySelector(".bar").getBoundingClientRect().width, says: figure.textContent };
+  }));
+  assert.equal(figures.length, nFigures);
+  for (const { colors, shown, bar, says } of figures) assert(colors > 20 && shown > 200 && bar > 50 && /^−[\d.e+-]+.{8}/.test(says), `${says}: ${colors} colors`);
+  // A heading is not left alone at the end of a page, and no row is cut in two.
+  assert((await report.evaluate(() => getComputedStyle(document.querySelector("h2")).breakAfter)) === "avoid");
+  assert((await report.evaluate(() => getComputedStyle(document.querySelector("tr")).breakInside)) === "avoid");
+  const pdf = await report.pdf();
+  if (h.PICTURES) writeFileSync(join(h.folder, "report.pdf"), pdf);
+  assert(pdf.subarray(0, 5).toString() === "%PDF-" && pdf.length > 50_000, `${pdf.length} bytes`);
+  await report.emulateMedia({ media: null });
+  await report.setViewportSize(before);
+}
+
 export function studyTests({ test, service, upload, json, sent, sphere }) {
   test("a study: whom to look at, decisions, maps of contrasts with their units, modes, and the report", async () => {
     const base = service();
@@ -196,6 +235,7 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
         else assert(bytes.length > 4000, `${bytes.length} bytes`);
       }
     }
+    await printed(report, subjects.map((subject) => subject.id), 2 * 3 + 5);
     await report.close();
     const [download] = await Promise.all([page.waitForEvent("download"), page.click('button:has-text("Save the archive")')]);
     assert.equal(unzipped(readFileSync(await download.path())).size, files.size);

@@ -7,13 +7,13 @@ import { fileURLToPath } from "node:url";
 import * as h from "./harness.mjs";
 
 /** A module of the page, as node can load it. */
-async function load(name) {
+export async function load(name) {
   const { outputFiles } = await build({ entryPoints: [fileURLToPath(new URL(`../src/${name}`, import.meta.url))], bundle: true, format: "esm", jsx: "automatic", jsxImportSource: "preact", write: false, logLevel: "error" });
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`);
 }
 
 /** Numbers from 0 to 1 by a linear congruence: the same in every run. */
-function random(seed) {
+export function random(seed) {
   let state = seed >>> 0;
   return () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
 }
@@ -108,12 +108,12 @@ export function unitTests({ test }) {
     const { lastRun, outline } = await load("spark.tsx");
     const next = random(4);
     const pick = (list) => list[Math.floor(next() * list.length)];
-    const run = ({ quantity, start, round, phase }) => [quantity ?? (phase === "displacement" ? "field" : "labels"), start, round, phase].join();
+    const run = ({ quantity, start, round, phase }) => [quantity ?? (phase === "displacement" ? "field_energy" : "curvature_energy"), start, round, phase].join();
     let lines = 0;
     for (let round = 0; round < 2000; round++) {
       let point = {};
       const points = Array.from({ length: Math.floor(next() * 14) }, (_, k) => {
-        if (k === 0 || next() < 0.2) point = { quantity: pick([undefined, "bethe", "field"]), start: pick([undefined, 0, 1]), round: pick([0, 1]), phase: pick(["inference", "registration", "displacement"]) };
+        if (k === 0 || next() < 0.2) point = { quantity: pick([undefined, "bethe", "field_energy"]), start: pick([undefined, 0, 1]), round: pick([0, 1]), phase: pick(["inference", "registration", "displacement"]) };
         return { ...point, seq: k + 1, iteration: k, ...(next() < 0.8 ? { energy: pick([1, -1, 1e6, 1e-9, 0]) * next() } : {}) };
       });
       const line = lastRun(points);

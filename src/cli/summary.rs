@@ -24,7 +24,7 @@ pub(super) fn summary(result: &ResultDocument) -> String {
     if let Some(similarity) = &t.similarity {
         let _ = writeln!(text, "similarity        {}", similarity.sentence());
     }
-    // Without labels there are no trials.
+    // Without assignments there are no trials.
     let trials = if s.trials > 0 { format!(", {} trials", s.trials) } else { String::new() };
     let _ = writeln!(
         text,
@@ -94,7 +94,7 @@ fn verdict(result: &ResultDocument) -> String {
 }
 
 /// The energy before and after its minimization, and the energy of the answer where a displacement field changed the
-/// labeling.
+/// assignment.
 fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
     let chosen = result.rounds.iter().find(|round| round.chosen);
     let minimized = chosen.map_or(e.r#final, |round| round.energy);
@@ -113,7 +113,7 @@ fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
         let _ = write!(text, "; {:.2} for the smooth map of the answer", e.r#final);
     }
     if let Some(bound) = e.lower_bound {
-        let _ = write!(text, "; no labeling is below {bound:.2}");
+        let _ = write!(text, "; no assignment is below {bound:.2}");
     }
     text
 }

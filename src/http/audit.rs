@@ -17,11 +17,12 @@ use utoipa::openapi::PathItem;
 use utoipa::openapi::path::Operation;
 
 /// Operations that change nothing but are recorded, because they return results about a patient or uploads.
-pub(super) const RECORDED_READS: [&str; 13] = [
+pub(super) const RECORDED_READS: [&str; 14] = [
     "get_result",
     "get_correspondences",
     "get_transform",
     "get_surface",
+    "get_volume",
     "get_aligned",
     "get_warped",
     "get_report",

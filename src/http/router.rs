@@ -267,6 +267,7 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::result::correspondences))
         .routes(routes!(routes::result::transform))
         .routes(routes!(routes::surfaces::surface))
+        .routes(routes!(routes::surfaces::volume))
         .routes(routes!(routes::surfaces::aligned))
         .routes(routes!(routes::surfaces::warped))
         .routes(routes!(routes::result::report))

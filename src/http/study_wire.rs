@@ -3,12 +3,12 @@
 use super::input_wire::{SubmittedInputDocument, input, maybe_input};
 use super::problem::{ProblemDocument, failure_document};
 use super::strict_json::{Parameters, SentTags, objects};
-use crate::jobs::documents::{BodySide, MatchParameters, PartialParameters};
+use crate::jobs::documents::{BodySide, LabelChoice, MatchParameters, PartialParameters};
 use crate::jobs::mesh::content_id;
 use crate::jobs::study::{DecisionVerdict, StudyQuestions, SubjectRole};
 use crate::jobs::{OutlinedSubject, Study, StudyOutline, StudyState};
 use jiff::Timestamp;
-use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{Error, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Number, Value};
 use std::collections::BTreeMap;
@@ -19,12 +19,14 @@ use utoipa::ToSchema;
 const MAX_COVARIATES: usize = 256;
 /// Most entries of a list of names, or of an object of strings.
 const MAX_NAMES: usize = 1000;
+/// Most labels of a subject.
+const MAX_LABELS: usize = 256;
 
 /// A study to be submitted.
 #[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StudySubmissionDocument {
-    /// At least three, each with a surface or a label volume of its own.
+    /// At least three, each with a surface or a label volume.
     #[serde(deserialize_with = "objects")]
     pub(crate) subjects: Vec<StudySubjectDocument>,
     /// The template; without it one is made from the group.
@@ -149,6 +151,47 @@ fn names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<String>, D::E
     deserializer.deserialize_seq(Reader)
 }
 
+/// Reads at most [`MAX_LABELS`] labels; a single one may stand without brackets, and `null` is none.
+fn labels<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Vec<LabelChoice>>, D::Error> {
+    struct Reader;
+
+    impl<'de> Visitor<'de> for Reader {
+        type Value = Option<Vec<LabelChoice>>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "a label, which is a whole number from 1 on or a name, or a list of at most {MAX_LABELS}")
+        }
+
+        fn visit_unit<E: Error>(self) -> Result<Self::Value, E> {
+            Ok(None)
+        }
+
+        fn visit_u64<E: Error>(self, number: u64) -> Result<Self::Value, E> {
+            match u32::try_from(number) {
+                Ok(number) => Ok(Some(vec![LabelChoice::Number(number)])),
+                Err(_) => Err(E::invalid_value(Unexpected::Unsigned(number), &self)),
+            }
+        }
+
+        fn visit_str<E: Error>(self, name: &str) -> Result<Self::Value, E> {
+            Ok(Some(vec![LabelChoice::Name(name.to_owned())]))
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+            let mut labels = Vec::new();
+            while let Some(label) = list.next_element()? {
+                labels.push(label);
+                if labels.len() > MAX_LABELS {
+                    return Err(A::Error::invalid_length(labels.len(), &self));
+                }
+            }
+            Ok(Some(labels))
+        }
+    }
+
+    deserializer.deserialize_any(Reader)
+}
+
 /// Reads an object of at most [`MAX_NAMES`] strings, no member twice.
 fn pairs<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, String>, D::Error> {
     struct Reader;
@@ -197,6 +240,11 @@ pub(crate) struct StudySubjectDocument {
     /// On which side of the body it lies. One on the other side than the template is mirrored; `side` is a covariate too.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure, by number or name, as in `input.labels` of the parameters, which hold
+    /// if this is absent. Several subjects may use labels of one volume. A single one may stand without brackets.
+    #[serde(default, deserialize_with = "labels", skip_serializing_if = "Option::is_none")]
+    #[schema(min_items = 1)]
+    pub(crate) labels: Option<Vec<LabelChoice>>,
     /// Covariates: a number if it is one for all subjects, else a factor; missing values are absent or `null`.
     #[serde(default)]
     #[schema(value_type = BTreeMap<String, CovariateValue>, required = false)]
@@ -379,6 +427,9 @@ pub(crate) struct StudySubjectStateDocument {
     /// On which side of the body it lies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure, if it states any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) labels: Option<Vec<LabelChoice>>,
     /// What was decided.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) decision: Option<DecisionVerdict>,
@@ -465,6 +516,7 @@ impl StudySubjectStateDocument {
             hash: content_id(&subject.hash),
             role: subject.role,
             side: subject.side,
+            labels: subject.labels.clone(),
             decision: decided.map(|decided| decided.decision),
             reason: decided.map(|decided| decided.reason.clone()),
         }

@@ -2,7 +2,7 @@
 //! API can describe them and read them again without knowing how a match is computed.
 
 pub use homolog_contract::input::{BodySide, InputReport};
-pub use homolog_contract::parameters::{MatchParameters, PartialParameters, parameter_schemas};
+pub use homolog_contract::parameters::{LabelChoice, MatchParameters, PartialParameters, parameter_schemas};
 pub use homolog_contract::result::{
     Correspondences, ResultDocument, SurfaceDistanceDocument, TransformDocument, UnreliableReason,
 };

@@ -84,12 +84,11 @@ pub trait Computation: Debug + Send + Sync {
     /// Why it cannot.
     fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal>;
 
-    /// The surface of an input as binary PLY, mm; of one that is refused, the surface as it is in the file. May take seconds;
-    /// called on a blocking thread.
+    /// A view of an input. May take seconds; called on a blocking thread.
     ///
     /// # Errors
-    /// Why there is no surface.
-    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal>;
+    /// Why there is none.
+    fn show_input(&self, input: &InputBytes<'_>, view: InputView) -> Result<Vec<u8>, InputRefusal>;
 
     /// Checks whether two inputs, each of which has passed its own check, can be matched within the limits. Quick.
     ///
@@ -188,6 +187,16 @@ pub struct ParameterFault {
     pub code: String,
     /// What is wrong, and what is allowed.
     pub detail: String,
+}
+
+/// What there is to see of an input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum InputView {
+    /// Its surface as binary PLY, mm; of a refused input, the surface as it is in the file.
+    Surface,
+    /// Its label volume as NIfTI, compressed with gzip.
+    Volume,
 }
 
 /// An input as uploaded.

@@ -50,7 +50,7 @@ pub use change::{Change, ChangePage};
 pub use demand::{Demand, SurfaceSize, WaitingJob};
 pub use engine::{
     Allotted, Computation, ComputeError, ComputeInputs, ComputesApart, Engine, InputBytes, InputRefusal, InputSummary,
-    ParameterFault, Purpose,
+    InputView, ParameterFault, Purpose,
 };
 pub use error::JobError;
 pub use job::{Failure, Job, JobFilter, JobId, JobInput, JobPage, NewJob, Order, PageRequest, Tenant};

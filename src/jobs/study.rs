@@ -6,7 +6,7 @@
 //! [`super::study_submission`] has the use cases. Ids of subjects and covariates are in blobs only, and so encrypted where
 //! blobs are.
 
-use super::documents::BodySide;
+use super::documents::{BodySide, LabelChoice};
 use super::engine::InputSummary;
 use super::job::{Cursor, Failure, JobId, JobInput, NewJob, Tenant};
 use super::metadata::{ExternalRef, Tags};
@@ -162,6 +162,9 @@ pub struct StudySubject {
     /// On which side of the body it lies; one on the other side than the template is mirrored.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure; `None`: those of the parameters.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub labels: Option<Vec<LabelChoice>>,
     /// Its covariates, as text; numbers as they were written.
     pub covariates: BTreeMap<String, String>,
     /// Its surface or label volume.
@@ -559,6 +562,7 @@ mod tests {
             subject: None,
             role: SubjectRole::Model,
             side: None,
+            labels: None,
             covariates: [("group", format!("g{}", k % 3)), ("age", format!("{}.5", k)), ("visit", "NA".to_owned())]
                 .map(|(name, value)| (name.to_owned(), value))
                 .into(),

@@ -3,7 +3,7 @@
 //! A definition may have a thousand subjects of hundreds of covariates, which take ten times their stored size when they are
 //! read. Here they are passed over while the text is read.
 
-use super::documents::BodySide;
+use super::documents::{BodySide, LabelChoice};
 use super::error::JobError;
 use super::job::Tenant;
 use super::service::JobService;
@@ -36,6 +36,8 @@ pub struct OutlinedSubject {
     pub role: SubjectRole,
     /// On which side of the body it lies.
     pub side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure, if it states any.
+    pub labels: Option<Vec<LabelChoice>>,
     /// Hash of its surface or label volume.
     pub hash: String,
     /// What was decided about it.
@@ -62,6 +64,8 @@ struct Subject {
     role: SubjectRole,
     #[serde(default)]
     side: Option<BodySide>,
+    #[serde(default)]
+    labels: Option<Vec<LabelChoice>>,
     input: Input,
 }
 
@@ -137,8 +141,8 @@ impl<'de> Visitor<'de> for Subjects {
         let (mut page, mut n_subjects) = (Vec::new(), 0);
         loop {
             if self.places.contains(&n_subjects) {
-                let Some(Subject { id, role, side, input }) = list.next_element()? else { break };
-                page.push(OutlinedSubject { id, role, side, hash: input.hash, decision: None });
+                let Some(Subject { id, role, side, labels, input }) = list.next_element()? else { break };
+                page.push(OutlinedSubject { id, role, side, labels, hash: input.hash, decision: None });
             } else if list.next_element::<IgnoredAny>()?.is_none() {
                 break;
             }
@@ -186,6 +190,7 @@ mod tests {
             subject: k.is_multiple_of(3).then(|| format!("\"person\" {k}")),
             role: if k % 4 == 1 { SubjectRole::Score } else { SubjectRole::Model },
             side: [None, Some(BodySide::Left), Some(BodySide::Right)][k % 3],
+            labels: (k % 2 == 1).then(|| vec![LabelChoice::Number(17), LabelChoice::Name("CA\"1".to_owned())]),
             covariates: (0..k % 5).map(|c| (format!("id{c}"), "\u{e9}\\\"}]".to_owned())).collect(),
             input: JobInput {
                 hash: format!("hash{k}"),
@@ -221,6 +226,7 @@ mod tests {
                 id: subject.id.clone(),
                 role: subject.role,
                 side: subject.side,
+                labels: subject.labels.clone(),
                 hash: subject.input.hash.clone(),
                 decision: whole.decisions.iter().find(|decision| decision.id == subject.id).cloned(),
             }).collect();

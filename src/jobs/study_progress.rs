@@ -283,6 +283,11 @@ impl StudyProgression {
                 parameters["input"][side]["mirror"] = true.into();
             }
         }
+        for (side, subject) in [("source", task.source), ("target", task.target)] {
+            if let Some(labels) = subject.and_then(|k| definition.subjects.get(k)?.labels.as_ref()) {
+                parameters["input"][side]["labels"] = json!(labels);
+            }
+        }
         Ok(NewJob {
             parameters,
             external_ref: ExternalRef::new(id.unwrap_or_default()).ok().flatten(),

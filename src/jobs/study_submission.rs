@@ -1,8 +1,8 @@
 //! What clients do with studies: submit, read, add subjects, decide, cancel, delete.
 
 use super::admission::Made;
-use super::documents::BodySide;
-use super::engine::InputRefusal;
+use super::documents::{BodySide, LabelChoice};
+use super::engine::{InputRefusal, ParameterFault, Resolved};
 use super::error::JobError;
 use super::job::{Cursor, JobInput, Tenant};
 use super::ports::{ArtifactKey, ArtifactKind, ArtifactRef};
@@ -18,6 +18,7 @@ use super::submission::{
 use bytes::Bytes;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::time::Duration;
 
 /// How long blobs are held for a submission between writing them and storing its study.
@@ -57,6 +58,8 @@ pub struct SubmittedSubject {
     pub role: SubjectRole,
     /// On which side of the body it lies.
     pub side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure; `None`: those of the parameters.
+    pub labels: Option<Vec<LabelChoice>>,
     /// Its covariates.
     pub covariates: BTreeMap<String, String>,
     /// Its surface or label volume.
@@ -74,6 +77,7 @@ fn named(subject: &SubmittedSubject) -> StudySubject {
         subject: subject.subject.clone(),
         role: subject.role,
         side: subject.side,
+        labels: subject.labels.clone(),
         covariates: subject.covariates.clone(),
         input: unchecked(None),
     }
@@ -84,8 +88,9 @@ fn fault(pointer: String, refusal: &InputRefusal) -> StudyFault {
 }
 
 fn fingerprint(submission: &StudySubmission) -> String {
-    let subject =
-        |of: &SubmittedSubject| json!([of.id, of.subject, of.role, of.side, of.covariates, input_value(&of.input)]);
+    let subject = |of: &SubmittedSubject| {
+        json!([of.id, of.subject, of.role, of.side, of.labels, of.covariates, input_value(&of.input)])
+    };
     let subjects: Vec<Value> = submission.subjects.iter().map(subject).collect();
     let template = submission.template.as_ref().map(input_value);
     let details = details_value(&submission.details);
@@ -164,7 +169,7 @@ impl JobService {
             definition.template = Some(checked.record());
             written.push(Written::of_input(checked));
         }
-        let inputs = subjects.into_iter().map(|subject| subject.input).collect();
+        let inputs = subjects.into_iter().map(|subject| (subject.labels, subject.input)).collect();
         let (records, more) = self.check_subjects(&tenant, inputs, &resolved).await?;
         written.extend(more);
         for (subject, record) in definition.subjects.iter_mut().zip(records) {
@@ -198,16 +203,41 @@ impl JobService {
         self.after_storing(&holder, stored).await
     }
 
-    /// Checks the inputs of subjects as what a template is matched to. Returns their records, in order, and what is to be stored.
+    /// Checks the inputs of subjects, each with its own labels if it states some, as what a template is matched to. Returns their
+    /// records, in order, and what is to be stored.
     async fn check_subjects(
         &self,
         tenant: &Tenant,
-        inputs: Vec<SubmittedInput>,
-        resolved: &super::engine::Resolved,
+        inputs: Vec<(Option<Vec<LabelChoice>>, SubmittedInput)>,
+        resolved: &Resolved,
     ) -> Result<(Vec<JobInput>, Vec<Written>), SubmitError> {
         let (mut records, mut written, mut faults) = (Vec::new(), Vec::new(), Vec::new());
-        for (number, input) in inputs.into_iter().enumerate() {
+        // By the labels as JSON: a study has few different ones.
+        let mut by_labels: BTreeMap<String, Resolved> = BTreeMap::new();
+        for (number, (labels, input)) in inputs.into_iter().enumerate() {
             let pointer = format!("/subjects/{number}/input");
+            let resolved = match labels {
+                None => resolved,
+                Some(labels) => match by_labels.entry(json!(labels).to_string()) {
+                    Entry::Occupied(known) => &*known.into_mut(),
+                    Entry::Vacant(new) => {
+                        let mut parameters = resolved.parameters.clone();
+                        parameters["input"]["target"]["labels"] = json!(labels);
+                        match self.engine.resolve(&parameters) {
+                            Ok(own) => &*new.insert(own),
+                            Err(wrong) => {
+                                let of_labels = |wrong: ParameterFault| StudyFault {
+                                    pointer: format!("/subjects/{number}/labels"),
+                                    code: wrong.code,
+                                    detail: wrong.detail,
+                                };
+                                faults.extend(wrong.into_iter().map(of_labels));
+                                continue;
+                            }
+                        }
+                    }
+                },
+            };
             match self.check(tenant, "target", input, resolved).await {
                 Ok(checked) => {
                     records.push(checked.record());
@@ -364,7 +394,7 @@ impl JobService {
         larger.subjects.extend(subjects.iter().map(named));
         self.engine.check_study(&larger).map_err(|faults| SubmitError::Study(from_first(faults, first)))?;
         let named: Vec<StudySubject> = subjects.iter().map(named).collect();
-        let inputs = subjects.into_iter().map(|subject| subject.input).collect();
+        let inputs = subjects.into_iter().map(|subject| (subject.labels, subject.input)).collect();
         let (records, written) = self.check_subjects(tenant, inputs, &resolved).await?;
         let added: Vec<StudySubject> =
             named.into_iter().zip(records).map(|(subject, input)| StudySubject { input, ..subject }).collect();

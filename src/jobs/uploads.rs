@@ -1,8 +1,8 @@
 //! Uploads: stored as they arrive, and checked afterwards, once for each set of parameters that affects the check.
 
-use super::engine::{InputBytes, Resolved};
+use super::engine::{Computation, InputBytes, InputView, Resolved};
 use super::error::JobError;
-use super::job::Tenant;
+use super::job::{Job, Tenant};
 use super::mesh::{CheckOutcome, Mesh, MeshPage};
 use super::ports::{ArtifactKey, ArtifactWriter, BlobStream};
 use super::service::JobService;
@@ -165,18 +165,47 @@ impl JobService {
     pub async fn mesh_surface(&self, mesh: &Mesh) -> Result<Vec<u8>, SubmitError> {
         let resolved = self.engine.resolve(&Value::Object(serde_json::Map::new())).map_err(SubmitError::Parameters)?;
         let bytes = self.mesh_content(mesh).await?;
+        self.view("mesh", (bytes, mesh.name_hint.clone()), resolved.computation, InputView::Surface).await
+    }
+
+    /// The label volume of an input of a job, as NIfTI compressed with gzip.
+    ///
+    /// # Errors
+    /// [`JobError::Gone`] if the inputs were removed; [`SubmitError::Input`] if it has none; [`SubmitError::Busy`], and those of the
+    /// stores.
+    pub async fn job_volume(&self, job: &Job, side: &'static str) -> Result<Vec<u8>, SubmitError> {
+        if job.purged_at.is_some() {
+            return Err(JobError::Gone.into());
+        }
+        let input = if side == TARGET { &job.target } else { &job.source };
+        let corrupt = JobError::Corrupt { what: "the hash of an input", source: None };
+        let key = ArtifactKey::of_hash(&job.tenant, &input.hash).ok_or(corrupt)?;
+        let computation = self.engine.restore(&job.parameters);
+        // What this version does not accept any more cannot be shown either.
+        let computation = computation.map_err(|_| SubmitError::CheckFailed { input: side })?;
+        let bytes = self.stores.artifacts.get(&key).await?;
+        self.view(side, (bytes, input.name_hint.clone()), computation, InputView::Volume).await
+    }
+
+    /// A view of a file, made on a blocking thread.
+    async fn view(
+        &self,
+        input: &'static str,
+        (bytes, name_hint): (Bytes, Option<String>),
+        computation: Arc<dyn Computation>,
+        view: InputView,
+    ) -> Result<Vec<u8>, SubmitError> {
         let permit = tokio::time::timeout(self.limits.max_check_wait, Arc::clone(&self.checks).acquire_owned());
         let Ok(Ok(permit)) = permit.await else { return Err(SubmitError::Busy) };
-        let name_hint = mesh.name_hint.clone();
         let made = tokio::task::spawn_blocking(move || {
-            let _permit = permit; // released when the surface is made, even if its request has ended
-            let input = InputBytes { bytes: &bytes, name_hint: name_hint.as_deref(), is_target: false };
-            resolved.computation.show_input(&input)
+            let _permit = permit; // released when the view is made, even if its request has ended
+            let is_target = input == TARGET;
+            computation.show_input(&InputBytes { bytes: &bytes, name_hint: name_hint.as_deref(), is_target }, view)
         });
         match made.await {
-            Ok(Ok(surface)) => Ok(surface),
-            Ok(Err(refusal)) => Err(SubmitError::Input { input: "mesh", refusal }),
-            Err(_) => Err(SubmitError::CheckFailed { input: "mesh" }),
+            Ok(Ok(shown)) => Ok(shown),
+            Ok(Err(refusal)) => Err(SubmitError::Input { input, refusal }),
+            Err(_) => Err(SubmitError::CheckFailed { input }),
         }
     }
 

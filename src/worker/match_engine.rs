@@ -10,15 +10,15 @@ use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use crate::jobs::study::{STEP_METHOD, StudyDefinition, StudyFault};
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
-    InputSummary, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
+    InputSummary, InputView, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
 };
 use bytes::Bytes;
 use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
 use homolog_formats::ply::write_ply;
-use homolog_formats::write_zip;
+use homolog_formats::{write_nifti_gz, write_zip};
 use homolog_matching::MatchError;
 use homolog_primitives::observe::Observer;
-use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface, shown_surface};
+use homolog_run::intake::{IntakeError, IntakeLimits, prepare_surface, shown_surface, shown_volume};
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, check_size, run_match_with};
 use homolog_study::record::Record;
 use serde_json::Value;
@@ -147,12 +147,23 @@ impl Computation for Match {
         })
     }
 
-    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+    fn show_input(&self, input: &InputBytes<'_>, view: InputView) -> Result<Vec<u8>, InputRefusal> {
         let name = input.name_hint.map(file_name);
         let parameters = &self.parameters.input;
         let parameters = if input.is_target { parameters.of_target() } else { parameters.of_source() };
-        let surface = shown_surface(input.bytes, name.as_deref(), &parameters, &self.shared.limits);
-        surface.map(|mesh| write_ply(&mesh)).map_err(|error| refusal(&error))
+        let limits = &self.shared.limits;
+        let shown = match view {
+            InputView::Surface => {
+                shown_surface(input.bytes, name.as_deref(), &parameters, limits).map(|mesh| Some(write_ply(&mesh)))
+            }
+            InputView::Volume => shown_volume(input.bytes, name.as_deref(), &parameters, limits)
+                .map(|volume| volume.as_ref().map(write_nifti_gz)),
+        };
+        let no_volume = || {
+            let (code, detail) = ("not-labels".to_owned(), "the file has a surface and no label volume".to_owned());
+            InputRefusal { code, detail, topology: None, place_mm: None }
+        };
+        shown.map_err(|error| refusal(&error))?.ok_or_else(no_volume)
     }
 
     fn check_pair(&self, source: &InputSummary, target: &InputSummary) -> Result<(), InputRefusal> {

@@ -13,7 +13,7 @@ use crate::jobs::study::{
 };
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Failure, InputBytes, InputRefusal, InputSummary,
-    JobInput, Purpose, SurfaceSize,
+    InputView, JobInput, Purpose, SurfaceSize,
 };
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::{MatchParameters, resolve};
@@ -42,8 +42,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Columns of the table of subjects that are no covariates.
+/// Columns of the table of subjects that are no covariates. `side` is last, because a study without sides has no such column.
 const OWN_COLUMNS: [&str; 5] = ["file", "id", "subject", "role", "side"];
+/// The column of labels, which are not passed on as text.
+const LABEL_COLUMN: &str = "label";
 /// Most cores that a step is given.
 const CORES: usize = 8;
 /// What a step takes besides the arrays that depend on its size: stacks of threads, and what the allocator keeps.
@@ -133,7 +135,7 @@ impl Computation for StudyStep {
         Err(no_match())
     }
 
-    fn show_input(&self, _: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
+    fn show_input(&self, _: &InputBytes<'_>, _: InputView) -> Result<Vec<u8>, InputRefusal> {
         Err(no_match())
     }
 
@@ -269,7 +271,11 @@ fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError> {
         let covariates = names.iter().map(|name| subject.covariates.get(*name).cloned().unwrap_or_default());
         own.into_iter().take(n_own).chain(covariates).collect()
     });
-    Cohort::from_rows(std::iter::once(header).chain(rows))
+    let mut cohort = Cohort::from_rows(std::iter::once(header).chain(rows))?;
+    for (subject, defined) in cohort.subjects.iter_mut().zip(&definition.subjects) {
+        subject.labels.clone_from(&defined.labels);
+    }
+    Ok(cohort)
 }
 
 fn settings(definition: &StudyDefinition) -> Result<Settings, StudyError> {
@@ -316,7 +322,8 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
     let fault = |pointer: String, detail: String| StudyFault { pointer, code: "out_of_range".to_owned(), detail };
     let mut faults = Vec::new();
     for (place, subject) in definition.subjects.iter().enumerate() {
-        let taken = subject.covariates.keys().find(|name| OWN_COLUMNS.contains(&name.as_str()) || name.is_empty());
+        let is_taken = |name: &str| OWN_COLUMNS.contains(&name) || name == LABEL_COLUMN || name.is_empty();
+        let taken = subject.covariates.keys().find(|name| is_taken(name));
         if let Some(name) = taken {
             let detail = format!("a covariate cannot be called {name:?}; give it another name");
             faults.push(fault(format!("/subjects/{place}/covariates"), detail));

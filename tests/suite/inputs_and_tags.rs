@@ -233,3 +233,68 @@ async fn jobs_have_parameters_only_if_these_are_asked_for() {
     assert_eq!(events("?fields=state").await, json!({"state": "succeeded"}));
     service.end().await;
 }
+
+/// Parts of the contract in which a label is an anatomical structure of a volume, or the former name of a tag.
+const OF_LABELS: [&str; 22] = [
+    "BatchDocument",
+    "BatchSubmissionDocument",
+    "InputParameters",
+    "JobDocument",
+    "LabelChoice",
+    "MeshForm",
+    "PairDocument",
+    "PartialInputParameters",
+    "PartialSideParameters",
+    "SideParameters",
+    "StudyDocument",
+    "StudyResultDocument",
+    "StudySubjectDocument",
+    "StudySubjectStateDocument",
+    "StudySubmissionDocument",
+    "SubjectDocument",
+    "SubmissionDocument",
+    "SubmissionForm",
+    "SurfaceKind",
+    "Correspondences",
+    "UnreliableReason",
+    "VolumeInspection",
+];
+
+/// Names of members, and texts, with the word label.
+fn labels_in(value: &Value, path: &str, found: &mut Vec<String>) {
+    let has = |text: &str| text.to_lowercase().contains("label");
+    match value {
+        Value::Object(members) => {
+            for (name, member) in members.iter().filter(|(name, _)| *name != "example" && *name != "examples") {
+                if has(name) || member.as_str().is_some_and(has) {
+                    found.push(format!("{path}/{name}"));
+                }
+                labels_in(member, &format!("{path}/{name}"), found);
+            }
+        }
+        Value::Array(values) => values.iter().for_each(|value| {
+            if value.as_str().is_some_and(has) {
+                found.push(path.to_owned());
+            }
+            labels_in(value, path, found);
+        }),
+        _ => {}
+    }
+}
+
+#[test]
+fn a_label_is_anatomical_and_never_a_target_vertex() {
+    let contract = include_str!("../../api/openapi.json");
+    let contract: Value = serde_json::from_str(contract).unwrap();
+    let mut wrong = Vec::new();
+    for (name, schema) in contract["components"]["schemas"].as_object().unwrap() {
+        if !OF_LABELS.contains(&name.as_str()) {
+            labels_in(schema, name, &mut wrong);
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    let energy = &contract["components"]["schemas"]["EnergyDocument"]["properties"];
+    assert!(energy["n_target_vertices"].is_object() && energy.get("n_labels").is_none());
+    let point = &contract["components"]["schemas"]["TracePoint"]["properties"];
+    assert!(point["vertices_changed"].is_object() && point.get("labels_changed").is_none());
+}

@@ -11,7 +11,7 @@ use crate::patience::PATIENCE;
 use homolog::jobs::engine::{MethodDescription, Resolved};
 use homolog::jobs::{
     Computation, ComputeError, ComputeInputs, ComputesApart, Demand, Engine, Failure, InputBytes, InputRefusal,
-    InputSummary, ParameterFault, SurfaceSize,
+    InputSummary, InputView, ParameterFault, SurfaceSize,
 };
 use homolog::worker::isolation::{IsolatedEngine, IsolationSettings};
 use homolog_formats::ply::write_ply;
@@ -397,8 +397,8 @@ impl Computation for Understated {
         self.0.check_input(input)
     }
 
-    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
-        self.0.show_input(input)
+    fn show_input(&self, input: &InputBytes<'_>, view: InputView) -> Result<Vec<u8>, InputRefusal> {
+        self.0.show_input(input, view)
     }
 
     fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {

@@ -7,7 +7,7 @@ use homolog::config::{HttpSettings, ServiceSettings};
 use homolog::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use homolog::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
-    InputSummary, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
+    InputSummary, InputView, ParameterFault, PartFormat, PresentError, ResultPart, SurfaceSize,
 };
 use homolog_contract::result::{SurfaceDistanceDocument, UnreliableReason};
 use homolog_contract::verdict::Verdict;
@@ -128,8 +128,9 @@ impl Computation for Obedience {
         Ok(InputSummary { n_vertices: 3, n_faces: 1, report: json!({"hint": input.name_hint}) })
     }
 
-    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
-        Ok([b"surface of ", input.bytes].concat())
+    fn show_input(&self, input: &InputBytes<'_>, view: InputView) -> Result<Vec<u8>, InputRefusal> {
+        let what: &[u8] = if view == InputView::Surface { b"surface of " } else { b"volume of " };
+        Ok([what, input.bytes].concat())
     }
 
     fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {

@@ -16,13 +16,13 @@ const PATIENCE: Duration = Duration::from_secs(400);
 const ATTEMPTS: [&str; 4] = ["--max-attempts", "100", "--crash-pause-ms", "0"];
 
 /// A service over a study.
-struct Service {
+pub(super) struct Service {
     program: Program,
     client: Client,
 }
 
 impl Service {
-    fn start(site: &Site, more: &[&str]) -> Self {
+    pub(super) fn start(site: &Site, more: &[&str]) -> Self {
         homolog::tls::prepare();
         let program = site.program(&[more, &ATTEMPTS].concat());
         Service { program, client: Client::builder().timeout(Duration::from_secs(120)).build().unwrap() }
@@ -32,18 +32,23 @@ impl Service {
         format!("{}{path}", self.program.base)
     }
 
-    fn get(&self, path: &str) -> Value {
-        let response = self.client.get(self.url(path)).send().unwrap();
+    /// An answer, whatever its status.
+    pub(super) fn fetch(&self, path: &str) -> Response {
+        self.client.get(self.url(path)).send().unwrap()
+    }
+
+    pub(super) fn get(&self, path: &str) -> Value {
+        let response = self.fetch(path);
         assert_eq!(response.status(), 200, "{path}");
         response.json().unwrap()
     }
 
-    fn post(&self, path: &str, body: &Value) -> Response {
+    pub(super) fn post(&self, path: &str, body: &Value) -> Response {
         self.client.post(self.url(path)).json(body).send().unwrap()
     }
 
     /// The id of an upload.
-    fn upload(&self, file: &Path) -> String {
+    pub(super) fn upload(&self, file: &Path) -> String {
         let body = fs::read(file).unwrap();
         let sent =
             self.client.post(self.url("/v1/meshes")).header("content-type", "application/octet-stream").body(body);
@@ -64,13 +69,13 @@ impl Service {
         }
     }
 
-    fn finished(&self, path: &str) {
+    pub(super) fn finished(&self, path: &str) {
         let study = self.until(path, |_| false);
         assert_eq!(study["state"], "finished", "{study}");
     }
 
     /// The files of the archive by name.
-    fn archive(&self, path: &str) -> BTreeMap<PathBuf, Vec<u8>> {
+    pub(super) fn archive(&self, path: &str) -> BTreeMap<PathBuf, Vec<u8>> {
         let response = self.client.get(self.url(&format!("{path}/archive"))).send().unwrap();
         assert_eq!(
             (response.status().as_u16(), &response.headers()["content-type"]),
@@ -109,7 +114,7 @@ fn asked(subjects: Vec<Value>) -> Value {
 
 /// Asserts that both have the same files with the same bytes. In the study document the file names differ, because the
 /// service has none.
-fn same(service: &BTreeMap<PathBuf, Vec<u8>>, command: &Path) {
+pub(super) fn same(service: &BTreeMap<PathBuf, Vec<u8>>, command: &Path) {
     let command = contents(command);
     assert_eq!(service.keys().collect::<Vec<_>>(), command.keys().collect::<Vec<_>>());
     for (name, bytes) in &command {

@@ -175,10 +175,12 @@ assert "4 subjects, 2 matched" in repr(matches)
 # A study of a group, with the sides of its subjects.
 left = {f"l{k}": (source.vertices * [1 + 0.02 * k, 1, 1], source.faces) for k in range(3)}
 right = {f"r{k}": (source.vertices * [-1 - 0.02 * k, 1, 1], source.faces[:, ::-1]) for k in range(3)}
-covariates = {name: {"side": "left" if name[0] == "l" else "right", "age": 60.0 + int(name[1])} for name in [*left, *right]}
+covariates = {name: {"side": "left" if name[0] == "l" else "right", "age": 60.0 + int(name[1]), "label": 17}
+              for name in [*left, *right]}
 study = homolog.study({**left, **right, "nothing": b"nothing"}, {**covariates, "nothing": {}}, effect="side", permutations=20,
                       template_rounds=1, method="balanced", progress=False)
 assert set(study.refused) == {"nothing"} and "not recognized" in study.table["error"]["nothing"]
+assert list(study.table["label"][:6]) == [17] * 6, "of volumes; the same surfaces have none"
 assert list(study.table["side"][:6]) == ["left"] * 3 + ["right"] * 3 and (study.table["place"][:6] == "model").all()
 assert "<!doctype html>" in study.report.lower() and len(study.effects) > 0 and "6 subjects, 1 refused" in repr(study)
 

@@ -15,10 +15,10 @@ pub struct ResultDocument {
     pub support: SupportDocument,
     /// Symmetric distance between the registered surfaces, from each vertex to the closest point of the other surface.
     pub surface_distance: SurfaceDistanceDocument,
-    /// Energies of the labeling; absent where none was minimized (`inference.algorithm` is `none`, as by default).
+    /// Energies of the assignment (a target vertex for each variable); absent where none was minimized (`inference.algorithm` is `none`, as by default).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub energy: Option<EnergyDocument>,
-    /// How well the labeling keeps neighbors together, and how much of the target it covers.
+    /// How well the assignment keeps neighbors together, and how much of the target it covers.
     pub topology: ConsistencyDocument,
     /// How the map to the corresponding points deforms the source surface; absent if no source triangle has a counterpart on the
     /// target, and in results of version 0.1.
@@ -91,7 +91,7 @@ pub struct SimilarityDocument {
     pub rms_mm: f64,
 }
 
-/// One round: inference, then registration of its labeling.
+/// One round: inference, then registration of its assignment.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -104,14 +104,14 @@ pub struct RoundDocument {
     pub iterations: u32,
     /// Why inference ended in this round.
     pub stop_reason: StopReason,
-    /// How the labelings of this round converged.
+    /// How the assignments of this round converged.
     pub convergence: ConvergenceDocument,
-    /// Energy of the labeling, without the terms of the feedback.
+    /// Energy of the assignment, without the terms of the feedback.
     pub energy: f64,
-    /// Inliers of RANSAC. 0: no rigid transform is supported by three pairs of this labeling. No round follows then, and
+    /// Inliers of RANSAC. 0: no rigid transform is supported by three pairs of this assignment. No round follows then, and
     /// the pose is that of an earlier round, of the landmarks or of a search of all orientations.
     pub support: u32,
-    /// Whether the match went on with the labeling and transform of this round. No round is chosen where none found a
+    /// Whether the match went on with the assignment and transform of this round. No round is chosen where none found a
     /// transform.
     pub chosen: bool,
 }
@@ -124,7 +124,7 @@ pub struct RoundDocument {
 pub enum Feedback {
     /// No feedback.
     None,
-    /// The inliers of the round before were fixed to their labels.
+    /// The inliers of the round before were fixed to their target vertices.
     Hard,
     /// Distances and normals under the transform of the round before were added to the unary potentials.
     Soft,
@@ -133,29 +133,29 @@ pub enum Feedback {
     CandidatePose,
 }
 
-/// How the labelings of a round converged.
+/// How the assignments of a round converged.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ConvergenceDocument {
     /// Whether they converged.
     pub status: ConvergenceStatus,
-    /// Number of iterations after which labelings repeat; absent unless they oscillate.
+    /// Number of iterations after which assignments repeat; absent unless they oscillate.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub period: Option<u32>,
 }
 
-/// Convergence of a series of labelings.
+/// Convergence of a series of assignments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum ConvergenceStatus {
-    /// The labeling no longer changes.
+    /// The assignment no longer changes.
     Converged,
-    /// The labeling still changes, less and less.
+    /// The assignment still changes, less and less.
     Slow,
-    /// The same labelings recur periodically.
+    /// The same assignments recur periodically.
     Oscillating,
     /// The minimizer draws at random and does not converge in this sense.
     Sampled,
@@ -268,7 +268,7 @@ pub const UNRELIABLE_CONFIDENCE: f64 = 0.1;
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum PoseOrigin {
-    /// RANSAC over the labeling of the chosen round, refined.
+    /// RANSAC over the assignment of the chosen round, refined.
     Inference,
     /// Registration without an energy.
     Registration,
@@ -314,18 +314,18 @@ pub struct SurfaceDistanceDocument {
     pub max_mm: f64,
 }
 
-/// Energies of labelings, lower is better.
+/// Energies of assignments, lower is better.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct EnergyDocument {
     /// Number of variables of the energy: vertices of the source, or of its coarse level.
     pub n_variables: u32,
-    /// Number of labels of each variable: vertices of the target, or of its coarse level.
-    pub n_labels: u32,
-    /// Energy of the labeling that minimizes every unary potential by itself.
+    /// Number of target vertices, or of those of its coarse level, to which a variable may be assigned.
+    pub n_target_vertices: u32,
+    /// Energy of the assignment that minimizes every unary potential by itself.
     pub initial: f64,
-    /// Energy of the answered labeling.
+    /// Energy of the answered assignment.
     pub r#final: f64,
     /// The same for each variable, which compares pairs of different sizes. By default about 2 for copies of a hippocampus and 3.5 to 4 for two
     /// subjects; 0 in results of versions that did not state it.
@@ -334,14 +334,14 @@ pub struct EnergyDocument {
     pub unary: f64,
     /// Pairwise part of that energy.
     pub pairwise: f64,
-    /// No labeling has an energy below this; absent unless `inference.lower_bound_iterations` asked for a bound.
+    /// No assignment has an energy below this; absent unless `inference.lower_bound_iterations` asked for a bound.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lower_bound: Option<f64>,
-    /// Number of source edges whose two labels are not within the neighborhood radius; each costs the truncation.
+    /// Number of source edges whose two target vertices are not within the neighborhood radius; each costs the truncation.
     pub broken_edges: u32,
 }
 
-/// Quality of the labeling as a map of surfaces.
+/// Quality of the assignment as a map of surfaces.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -527,7 +527,7 @@ pub enum StopReason {
     MaxIterations,
     /// The target energy was reached, which certifies the answer.
     TargetReached,
-    /// No energy of labels was minimized.
+    /// No energy of assignments was minimized.
     RegistrationOnly,
 }
 

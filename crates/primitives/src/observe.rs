@@ -51,9 +51,9 @@ impl Phase {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Quantity {
-    /// Energy of a labeling over curvature, of all variables.
+    /// Energy of an assignment over curvature, of all variables.
     CurvatureEnergy,
-    /// Energy of a labeling over distances along the surfaces, of all variables.
+    /// Energy of an assignment over distances along the surfaces, of all variables.
     IsometryEnergy,
     /// The same for each variable: of the starts of one fit, each a point.
     MeanIsometryEnergy,
@@ -82,7 +82,7 @@ impl Quantity {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct TracePoint {
-    /// Clamping round, from 0; in the phase `displacement`, or where labelings are minimized within it, the number of the fit, counted on
+    /// Clamping round, from 0; in the phase `displacement`, or where assignments are minimized within it, the number of the fit, counted on
     /// from the last round.
     pub round: u32,
     /// Number of the fit, from 0, in the order in which they begin: each begins from another start. Absent outside of fits.
@@ -99,7 +99,7 @@ pub struct TracePoint {
     pub phase: Phase,
     /// Iteration within the phase of this round, from 1.
     pub iteration: u32,
-    /// The energy that `quantity` names; no unit, lower is better. Of a labeling, that of the one decoded at this point, without
+    /// The energy that `quantity` names; no unit, lower is better. Of an assignment, that of the one decoded at this point, without
     /// clamping terms; of a field, the negative logarithm of the likelihood plus that of the prior, whose scale falls from
     /// step to step, so that the energy can rise.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
@@ -113,13 +113,14 @@ pub struct TracePoint {
     /// Largest change of any message in this iteration, in the linear domain (messages have maximum 1).
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub message_delta_max: Option<f64>,
-    /// Variables whose decoded label changed in this iteration.
+    /// Variables whose target vertex changed in this iteration.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
-    pub labels_changed: Option<u32>,
+    #[cfg_attr(feature = "serde", serde(alias = "labels_changed"))]
+    pub vertices_changed: Option<u32>,
     /// Temperature of the annealer.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub temperature: Option<f64>,
-    /// Best lower bound known on the energy of any labeling.
+    /// Best lower bound known on the energy of any assignment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lower_bound: Option<f64>,
     /// Inliers of the registration.
@@ -141,7 +142,7 @@ impl TracePoint {
             energy_unary: None,
             energy_pairwise: None,
             message_delta_max: None,
-            labels_changed: None,
+            vertices_changed: None,
             temperature: None,
             lower_bound: None,
             support: None,

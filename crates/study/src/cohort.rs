@@ -1,10 +1,11 @@
 //! The subjects of a study: a table of files with covariates, or the files of a folder.
 //!
 //! The table is CSV with a header. `file` is required; `id`, `subject` (the person, if one person has several visits),
-//! `role` and `side` are optional. Every other column, and `side` too, is a covariate: a number if all its values are
-//! numbers, otherwise a factor. Empty cells, `NA` and `NaN` are missing values.
+//! `role`, `side` and `label` are optional. Every other column, and `side` too, is a covariate: a number if all its values
+//! are numbers, otherwise a factor. Empty cells, `NA` and `NaN` are missing values.
 
 use homolog_contract::input::BodySide;
+use homolog_contract::parameters::LabelChoice;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -33,6 +34,9 @@ pub struct Subject {
     /// Side of the body; a subject of another side than the template's is mirrored.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure; `None` for those of the settings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub labels: Option<Vec<LabelChoice>>,
 }
 
 /// A covariate, a value for each subject.
@@ -125,8 +129,8 @@ impl Cohort {
         }
         let place = |name: &str| header.iter().position(|column| column == name);
         let file_at = place("file").ok_or(CohortError::NoColumn("file"))?;
-        let [id_at, subject_at, role_at, side_at] = ["id", "subject", "role", "side"].map(place);
-        let own = [Some(file_at), id_at, subject_at, role_at];
+        let [id_at, subject_at, role_at, side_at, label_at] = ["id", "subject", "role", "side", "label"].map(place);
+        let own = [Some(file_at), id_at, subject_at, role_at, label_at];
         let (mut subjects, mut cells): (Vec<Subject>, Vec<Vec<String>>) = (Vec::new(), vec![Vec::new(); header.len()]);
         let mut ids = BTreeSet::new();
         for row in reader.records() {
@@ -163,8 +167,10 @@ impl Cohort {
                 BodySide::of_name(text).ok_or_else(|| wrong("side", fault.to_owned()))
             });
             let side = side.transpose()?;
+            let labels = cell(label_at).filter(|text| is_present(text)).map(label_choices).transpose();
+            let labels = labels.map_err(|fault| wrong("label", fault.to_owned()))?;
             let subject = cell(subject_at).map_or_else(|| id.clone(), str::to_owned);
-            subjects.push(Subject { id, file: folder.join(file), subject, role, side });
+            subjects.push(Subject { id, file: folder.join(file), subject, role, side, labels });
             for (k, (column, text)) in cells.iter_mut().zip(row.iter()).enumerate() {
                 let side = side.filter(|_| side_at == Some(k));
                 column.push(side.map_or_else(|| text.to_owned(), |side| side.name().to_owned()));
@@ -208,7 +214,7 @@ impl Cohort {
             let id: String = if unique { stem(&file) } else { whole(&file) };
             let id: String = id.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
             let id = if id.starts_with('-') || is_device(&id) { format!("_{id}") } else { id };
-            Subject { subject: id.clone(), id, file, role: Role::Model, side: None }
+            Subject { subject: id.clone(), id, file, role: Role::Model, side: None, labels: None }
         });
         Cohort { subjects: subjects.collect(), covariates: Vec::new() }.checked()
     }
@@ -250,6 +256,17 @@ fn stem(file: &Path) -> String {
 
 fn is_present(text: &str) -> bool {
     !(text.is_empty() || text == "NA" || text.eq_ignore_ascii_case("nan"))
+}
+
+/// The labels of a cell: numbers or names, separated by semicolons.
+fn label_choices(text: &str) -> Result<Vec<LabelChoice>, &'static str> {
+    let choice = |part: &str| match (part, part.parse::<u32>()) {
+        ("", _) => Err("has an empty entry; write numbers or names of labels, separated by semicolons"),
+        (_, Ok(0)) => Err("names label 0, which is the background; name labels from 1 on"),
+        (_, Ok(number)) => Ok(LabelChoice::Number(number)),
+        (name, Err(_)) => Ok(LabelChoice::Name(name.to_owned())),
+    };
+    text.split(';').map(|part| choice(part.trim())).collect()
 }
 
 fn covariate(name: &str, cells: &[String]) -> Covariate {
@@ -324,6 +341,24 @@ mod tests {
         assert_eq!(cohort.covariate("side").unwrap().values, factor);
         let said = table("file,side\na.ply,left\nb.ply,lfet\nc.ply,right\n").unwrap_err();
         assert!(said.contains("line 3") && said.contains("column side") && said.contains("left (l, lh)"), "{said}");
+    }
+
+    #[test]
+    fn rows_of_one_file_use_labels_of_their_own() {
+        let cohort =
+            table("id,file,label\nl,a.mgz,17\nr,a.mgz, 53\nb,b.mgz,Left-CA1; Left-CA2;1005\nc,c.mgz,\n").unwrap();
+        let labels: Vec<_> = cohort.subjects.iter().map(|subject| subject.labels.clone()).collect();
+        let name = |name: &str| LabelChoice::Name(name.to_owned());
+        let of_b = vec![name("Left-CA1"), name("Left-CA2"), LabelChoice::Number(1005)];
+        assert_eq!(
+            labels,
+            [Some(vec![LabelChoice::Number(17)]), Some(vec![LabelChoice::Number(53)]), Some(of_b), None]
+        );
+        assert!(cohort.covariates.is_empty(), "a label is no covariate");
+        for (cell, part) in [("0", "background"), ("17;;18", "empty entry")] {
+            let said = table(&format!("file,label\na.mgz,17\nb.mgz,{cell}\nc.mgz,\n")).unwrap_err();
+            assert!(said.contains("line 3") && said.contains("column label") && said.contains(part), "{said}");
+        }
     }
 
     #[test]

@@ -104,8 +104,7 @@ pub fn consistency(
         let file = &study.cohort.subjects[k].file;
         let bytes = folder.input(file)?;
         let name = file.file_name().and_then(|name| name.to_str());
-        let parameters = &study.settings.parameters.input.of_target();
-        match prepare_surface(&bytes, name, parameters, &IntakeLimits::default()) {
+        match prepare_surface(&bytes, name, &study.input_of(k), &IntakeLimits::default()) {
             // The numbering of the upload, to which records refer; vertices without faces are in no cycle.
             Ok(prepared) if study.is_mirrored(k) => surfaces.push(crate::sides::mirrored(prepared.uploaded())?),
             Ok(prepared) => surfaces.push(prepared.uploaded().clone()),

@@ -321,11 +321,7 @@ pub(crate) fn volume_of(
 ) -> Result<Option<(LabelVolume, Vec<u32>)>, StudyError> {
     let file = &study.cohort.subjects[k].file;
     let bytes = folder.input(file)?;
-    Ok(volume(
-        &bytes,
-        file.file_name().and_then(|name| name.to_str()),
-        &study.settings.parameters.input.of_target().labels,
-    ))
+    Ok(volume(&bytes, file.file_name().and_then(|name| name.to_str()), &study.input_of(k).labels))
 }
 
 fn volume(bytes: &[u8], name: Option<&str>, chosen: &Option<Vec<LabelChoice>>) -> Option<(LabelVolume, Vec<u32>)> {

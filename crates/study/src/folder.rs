@@ -7,6 +7,7 @@ use crate::error::StudyError;
 use crate::place::{Inputs, Place};
 use crate::plan::{Making, Records, Round, Template, hash};
 use crate::record::{Record, read_points};
+use homolog_contract::parameters::LabelChoice;
 use homolog_formats::ReadLimits;
 use homolog_formats::csv_cell::{text_cell, text_of_cell};
 use homolog_formats::ply::read_ply;
@@ -39,6 +40,9 @@ pub struct Kept {
     pub hash: String,
     /// Ids of the subjects it was made from.
     pub from: Vec<String>,
+    /// The labels that these subjects state for their volumes, by id.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub labels: BTreeMap<String, Vec<LabelChoice>>,
     /// Ids of the subjects used to measure consistency.
     pub ring: Vec<String>,
     /// The rounds that made it.

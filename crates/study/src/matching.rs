@@ -3,12 +3,14 @@
 use crate::cohort::Cohort;
 use crate::error::StudyError;
 use crate::folder::{Folder, Kept};
-use crate::plan::{Making, Matched, Purpose, Step, Study, Task, Template, hash, spread, surface};
+use crate::plan::{Making, Matched, Purpose, Step, Study, Task, Template, hash, input_of, spread, surface};
 use crate::record::{Record, compute};
 use crate::settings::{Settings, TemplateChoice};
+use homolog_contract::parameters::LabelChoice;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::{InputFile, SurfaceCache};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -65,7 +67,8 @@ impl Study {
         }
         settings.template_side = crate::sides::template_side(&cohort, &settings)?;
         let asked = asked(&settings);
-        let kept = folder.kept(&asked)?;
+        // Other labels of the subjects that it was made from are another template.
+        let kept = folder.kept(&asked)?.filter(|(kept, _)| kept.labels == stated_labels(&cohort, &kept.from));
         let by_id = |id: &String| {
             let place = cohort.subjects.iter().position(|subject| subject.id == *id);
             place
@@ -86,7 +89,8 @@ impl Study {
         let (first, making, makers) = match &mut settings.template {
             TemplateChoice::Given { file } => {
                 let refused = |why| StudyError::Start { what: file.display().to_string(), why };
-                let first = surface(&folder.input(file)?, name(file), &parameters).map_err(refused)?;
+                let first = surface(&folder.input(file)?, name(file), &parameters.input.of_target());
+                let first = first.map_err(refused)?;
                 (first, None, Vec::new())
             }
             TemplateChoice::Made(how) => {
@@ -171,6 +175,10 @@ impl Study {
                 TemplateChoice::Made(how) => how.from.clone(),
                 TemplateChoice::Given { .. } => Vec::new(),
             },
+            labels: match &self.settings.template {
+                TemplateChoice::Made(how) => stated_labels(&self.cohort, &how.from),
+                TemplateChoice::Given { .. } => BTreeMap::new(),
+            },
             ring: self.settings.cycle_ring.clone(),
             rounds: making.rounds.clone(),
         };
@@ -214,6 +222,12 @@ impl Study {
     }
 }
 
+/// The labels that these subjects state for their volumes, by id.
+fn stated_labels(cohort: &Cohort, ids: &[String]) -> BTreeMap<String, Vec<LabelChoice>> {
+    let of = cohort.subjects.iter().filter(|subject| ids.contains(&subject.id));
+    of.filter_map(|subject| Some((subject.id.clone(), subject.labels.clone()?))).collect()
+}
+
 /// Settings on which a kept template depends, besides the files of its subjects.
 fn asked(settings: &Settings) -> String {
     let mut template = settings.template.clone();
@@ -241,7 +255,8 @@ fn start_surface(
     let of = |k: usize| {
         checkpoint(&Interruption(watcher))?;
         let file = &cohort.subjects[k].file;
-        let found = surface(&folder.input(file)?, name(file), parameters);
+        let input = input_of(cohort.subjects[k].labels.as_deref(), parameters);
+        let found = surface(&folder.input(file)?, name(file), &input);
         if cohort.subjects[k].side.is_none_or(|own| Some(own) == side) {
             return Ok(found);
         }

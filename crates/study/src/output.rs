@@ -1,7 +1,7 @@
 //! The folder of results: surfaces, maps, tables, the report, and `study.json`, from which the study can be computed
 //! again.
 
-use crate::cohort::{Cohort, Values};
+use crate::cohort::{Cohort, Subject, Values};
 use crate::error::StudyError;
 use crate::findings::{Findings, Place, moved, volume_of};
 use crate::folder::{Decision, Folder, decisions_table, json};
@@ -11,6 +11,7 @@ use crate::plan::{Round, Study};
 use crate::quality::most_urgent_first;
 use crate::report::{page, plots};
 use crate::settings::{Measure, Settings};
+use homolog_contract::parameters::LabelChoice;
 use homolog_formats::csv_cell::text_cell;
 use homolog_formats::gifti::{write_gifti, write_gifti_shape};
 use homolog_formats::nifti::write_nifti_gz;
@@ -269,6 +270,16 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
         ("subject".to_owned(), text(subjects.iter().map(|subject| subject.subject.clone()).collect())),
         ("place".to_owned(), text(of.iter().map(|s| place_name(s.place).to_owned()).collect())),
     ];
+    if subjects.iter().any(|subject| subject.labels.is_some()) {
+        let labels = |subject: &Subject| {
+            let text = |choice: &LabelChoice| match choice {
+                LabelChoice::Number(number) => number.to_string(),
+                LabelChoice::Name(name) => name.clone(),
+            };
+            subject.labels.iter().flatten().map(text).collect::<Vec<_>>().join(";")
+        };
+        columns.push(("label".to_owned(), text(subjects.iter().map(labels).collect())));
+    }
     for covariate in covariates {
         let column = match &covariate.values {
             Values::Numbers(of) => number(&|k| of[k]),
@@ -351,6 +362,7 @@ fn quality_table(study: &Study, found: &Findings) -> String {
         let subject = &found.subjects[k];
         let flags: Vec<&str> = subject.flags.iter().map(|flag| flag.title()).collect();
         let facts = &subject.facts;
+        let matched = |value: f64| if subject.place == Place::Failed { String::new() } else { value.to_string() };
         let decided = subject.decision.as_ref();
         let word = |decision: &Decision| match decision.decision {
             crate::folder::Verdict::Kept => "kept",
@@ -363,10 +375,10 @@ fn quality_table(study: &Study, found: &Findings) -> String {
             place_name(subject.place),
             text_cell(&flags.join("; ")),
             text_cell(&facts.reasons.join("; ")),
-            facts.residual_mm,
-            facts.residual_p95_mm,
-            facts.folded,
-            facts.confidence,
+            matched(facts.residual_mm),
+            matched(facts.residual_p95_mm),
+            matched(facts.folded),
+            matched(facts.confidence),
             subject.unusual_p.map_or(String::new(), |p| p.to_string()),
             decided.map_or("", word),
             text_cell(decided.map_or("", |decision| &decision.reason)),

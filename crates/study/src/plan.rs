@@ -11,7 +11,7 @@ use crate::cohort::{Cohort, Role};
 use crate::error::StudyError;
 use crate::record::Record;
 use crate::settings::{MadeTemplate, Settings, Size, TemplateChoice};
-use homolog_contract::parameters::MatchParameters;
+use homolog_contract::parameters::{InputParameters, LabelChoice, MatchParameters};
 use homolog_formats::ply::write_ply;
 use homolog_mesh::{SurfaceMesh, repair};
 use homolog_primitives::observe::{Observer, checkpoint};
@@ -163,6 +163,12 @@ pub struct Study {
     pub ring: Vec<usize>,
 }
 
+/// The parameters by which the file of a subject with these labels is read.
+pub(crate) fn input_of(labels: Option<&[LabelChoice]>, parameters: &MatchParameters) -> InputParameters {
+    let input = parameters.input.of_target();
+    InputParameters { labels: labels.map(<[LabelChoice]>::to_vec).or(input.labels), ..input }
+}
+
 /// Hash of a file's content.
 pub fn hash(bytes: &[u8]) -> String {
     blake3::hash(bytes).to_hex().to_string()
@@ -177,25 +183,29 @@ pub fn spread(cohort: &Cohort, most: usize) -> Vec<usize> {
     (0..most).map(|k| model[(2 * k + 1) * model.len() / (2 * most)]).collect()
 }
 
-/// The surface of a file, as a template.
+/// The surface of a file that is read with `parameters`, as a template.
 ///
 /// # Errors
 /// The reason for its refusal, for people.
-pub fn surface(bytes: &[u8], name: Option<&str>, parameters: &MatchParameters) -> Result<Template, String> {
-    let limits = IntakeLimits::default();
-    let prepared = prepare_surface(bytes, name, &parameters.input.of_target(), &limits);
+pub fn surface(bytes: &[u8], name: Option<&str>, parameters: &InputParameters) -> Result<Template, String> {
+    let prepared = prepare_surface(bytes, name, parameters, &IntakeLimits::default());
     prepared.map(|prepared| Template::new(&prepared.mesh)).map_err(|error| error.for_command_line())
 }
 
 impl Study {
-    fn key(&self, [source, target]: [&str; 2], mirrored: [bool; 2]) -> String {
+    fn key(&self, [source, target]: [&str; 2], task: &Task) -> String {
         let mut hasher = blake3::Hasher::new();
         let parameters = serde_json::to_string(&self.settings.parameters).unwrap_or_default();
         for part in [env!("CARGO_PKG_VERSION"), source, target, &parameters] {
             hasher.update(part.as_bytes()).update(&[0]);
         }
+        let mirrored = self.mirrored(task);
         if mirrored != [false; 2] {
             hasher.update(&mirrored.map(u8::from));
+        }
+        let labels = [task.source, task.target].map(|side| side.and_then(|k| self.labels(k)));
+        if labels != [None; 2] {
+            hasher.update(serde_json::to_string(&labels).unwrap_or_default().as_bytes());
         }
         hasher.finalize().to_hex().to_string()
     }
@@ -203,7 +213,7 @@ impl Study {
     fn task(&self, template: &Template, source: Option<usize>, target: Option<usize>) -> Task {
         let hash = |side: Option<usize>| side.map_or(template.hash.as_str(), |k| self.hashes[k].as_str());
         let task = Task { key: String::new(), source, target };
-        Task { key: self.key([hash(source), hash(target)], self.mirrored(&task)), ..task }
+        Task { key: self.key([hash(source), hash(target)], &task), ..task }
     }
 
     /// Whether source and target of a match are mirrored.
@@ -214,8 +224,24 @@ impl Study {
     /// The parameters of a match.
     pub(crate) fn parameters(&self, task: &Task) -> MatchParameters {
         let mut parameters = self.settings.parameters.clone();
-        [parameters.input.source.mirror, parameters.input.target.mirror] = self.mirrored(task);
+        let input = &mut parameters.input;
+        [input.source.mirror, input.target.mirror] = self.mirrored(task);
+        for (side, subject) in [(&mut input.source, task.source), (&mut input.target, task.target)] {
+            if let Some(labels) = subject.and_then(|k| self.labels(k)) {
+                side.labels = Some(labels.to_vec());
+            }
+        }
         parameters
+    }
+
+    /// The labels that a subject states for its volume.
+    fn labels(&self, subject: usize) -> Option<&[LabelChoice]> {
+        self.cohort.subjects.get(subject)?.labels.as_deref()
+    }
+
+    /// The parameters by which the file of a subject is read.
+    pub(crate) fn input_of(&self, subject: usize) -> InputParameters {
+        input_of(self.labels(subject), &self.settings.parameters)
     }
 
     /// The next step, given the existing records.

@@ -57,6 +57,12 @@ pub fn deviations(values: &[f64]) -> Vec<f64> {
     values.iter().map(|x| if spread > least { (x - middle) / spread } else { 0.0 }).collect()
 }
 
+/// The largest of the deviations that may raise a flag, so that flagged subjects come before all others; unreliable ones come first.
+fn urgency(deviations: [f64; 4], is_unreliable: bool) -> f64 {
+    let largest = deviations.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    if is_unreliable { largest + 1000.0 } else { largest }
+}
+
 /// Flags every subject, and computes its urgency.
 pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
     let matched: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
@@ -70,7 +76,6 @@ pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
     let size = of(&|s| s.size_mm.max(1e-12).ln());
     for (row, &k) in matched.iter().enumerate() {
         let subject = &mut subjects[k];
-        let mut urgency: f64 = residual[row].max(shape[row]).max(size[row].abs());
         let mut raise = |flag: Flag, is_raised: bool| {
             if is_raised {
                 subject.flags.push(flag);
@@ -79,13 +84,12 @@ pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
         let unreliable = subject.facts.reliable == Some(false);
         raise(Flag::UnreliableMatch, unreliable);
         raise(Flag::UnusualResidual, residual[row] > UNUSUAL);
-        raise(Flag::UnusualFolds, folds[row] > UNUSUAL && subject.facts.folded > FEW_FOLDS);
+        let is_folded = folds[row] > UNUSUAL && subject.facts.folded > FEW_FOLDS;
+        raise(Flag::UnusualFolds, is_folded);
         raise(Flag::UnusualShape, shape[row] > UNUSUAL);
         raise(Flag::UnusualSize, size[row].abs() > UNUSUAL);
-        if unreliable {
-            urgency += 1000.0;
-        }
-        subject.urgency = urgency;
+        let folds = if is_folded { folds[row] } else { 0.0 };
+        subject.urgency = urgency([residual[row], shape[row], size[row].abs(), folds], unreliable);
     }
     for subject in subjects.iter_mut().filter(|subject| subject.place == Place::Failed) {
         (subject.flags, subject.urgency) = (vec![Flag::NoMatch], 1e6);
@@ -102,6 +106,17 @@ pub fn most_urgent_first(subjects: &[SubjectFindings]) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn any_flag_comes_before_what_has_none() {
+        let usual = urgency([UNUSUAL, UNUSUAL, UNUSUAL, 0.0], false);
+        for flagged in 0..4 {
+            let mut deviations = [0.0; 4];
+            deviations[flagged] = UNUSUAL + 0.01;
+            assert!(urgency(deviations, false) > usual, "flag {flagged}");
+        }
+        assert!(urgency([-1.0; 4], true) > urgency([500.0; 4], false));
+    }
 
     #[test]
     fn one_far_value_does_not_hide_itself() {

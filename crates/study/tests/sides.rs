@@ -123,6 +123,17 @@ fn an_asymmetry_is_found_where_it_is_and_every_file_stays_in_its_subjects_coordi
         }
     }
 
+    // The report counts people, not rows, and has no column that is empty for visits.
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(
+        page.contains("<h1>Study of 8 surfaces of 4 subjects</h1>") && page.contains("<p>8 surfaces of 4 subjects, ")
+    );
+    assert!(page.contains("<strong>Few subjects:</strong>") && page.contains("smallest q (FDR)"));
+    assert!(!page.contains("g there") && !page.contains("<td></td><td>0"), "empty cells");
+    let members = page.split_once("Subjects of the model").unwrap().1.split_once("</table>").unwrap().0;
+    assert!(members.contains("<td>subjects</td><td class=\"number\">4</td><td class=\"number\">4</td>"), "{members}");
+    assert!(members.contains("<td>surfaces</td><td class=\"number\">8</td><td class=\"number\">4</td>"), "{members}");
+
     // From its document alone: the same statistics.
     let document = read_document(&std::fs::read(out.join("study.json")).unwrap()).unwrap();
     let (_, again) = computed(document.cohort, document.settings, &place.path().join("again")).unwrap();

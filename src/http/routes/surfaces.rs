@@ -1,8 +1,11 @@
-//! `/v1/jobs/{id}/surfaces/{which}`, `/aligned` and `/warped`: surfaces as files.
+//! `/v1/jobs/{id}/surfaces/{which}`, `/volumes/{which}`, `/aligned` and `/warped`: surfaces and volumes as files.
 
 use super::job_id;
 use super::result::direction;
 use crate::http::auth::Reader;
+use crate::http::compression::Gains;
+use crate::http::conditional::{is_fresh, not_modified, respond};
+use crate::http::content::Counted;
 use crate::http::problem::{Problem, ProblemDocument};
 use crate::http::problem_table::ProblemKind;
 use crate::http::query::QueryString;
@@ -10,9 +13,11 @@ use crate::http::representation::{Asking, answer};
 use crate::http::router::HttpState;
 use crate::http::shares::Origin;
 use crate::jobs::{ResultPart, WarpDirection, WarpSpace};
+use axum::body::Body;
 use axum::extract::{Path, State};
 use axum::http::{HeaderMap, Method};
 use axum::response::Response;
+use serde_json::Value;
 
 /// Get a matched surface
 ///
@@ -58,6 +63,55 @@ pub(crate) async fn surface(
         _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("the surface must be source or target")),
     };
     answer(&state, &tenant, job_id(&id)?, part, Asking { method: &method, headers: &headers, origin }, query).await
+}
+
+/// Get the label volume of an input
+///
+/// The volume from which a matched surface was made, as NIfTI whatever the format that was sent (MGZ, NRRD, MetaImage, DICOM SEG):
+/// all its labels as the service reads them, in the coordinates of the surface. There as long as the inputs of the job.
+#[utoipa::path(
+    get, path = "/v1/jobs/{id}/volumes/{which}", tag = "results", operation_id = "get_volume",
+    params(
+        ("id" = String, Path, description = "The job"),
+        ("which" = String, Path, description = "`source` or `target`"),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
+    ),
+    responses(
+        (status = 200, description = "The volume, NIfTI compressed with gzip", content_type = "application/octet-stream", body = Vec<u8>, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
+        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
+        (status = 410, description = "The inputs were deleted at the end of their retention time", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 404, description = "No such job, or its input is a surface", body = ProblemDocument, content_type = "application/problem+json"),
+    )
+)]
+pub(crate) async fn volume(
+    State(state): State<HttpState>,
+    Reader(tenant): Reader,
+    Path((id, which)): Path<(String, String)>,
+    origin: Origin,
+    headers: HeaderMap,
+    query: QueryString,
+) -> Result<Response, Problem> {
+    query.finish()?;
+    let job = state.service.get(&tenant, job_id(&id)?).await?;
+    let (side, input) = match which.as_str() {
+        "source" => ("source", &job.source),
+        "target" => ("target", &job.target),
+        _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("the volume must be that of source or target")),
+    };
+    // Only volumes have a size of voxels.
+    if input.report.get("sampling").is_none_or(Value::is_null) {
+        return Err(Problem::new(ProblemKind::RouteNotFound).detail("the input is a surface and has no volume"));
+    }
+    let etag = format!("\"{}-{side}-{}-volume\"", job.id, env!("CARGO_PKG_VERSION"));
+    if is_fresh(&headers, &etag) && job.purged_at.is_none() {
+        return Ok(not_modified(&etag));
+    }
+    let bytes = state.service.job_volume(&job, side).await?;
+    let memory = state.answer_memory(&tenant, origin, bytes.len()).await?;
+    let body = Body::new(Counted::new(bytes.into(), memory));
+    let mut response = respond(&headers, &etag, "application/octet-stream", body);
+    response.extensions_mut().insert(Gains(false));
+    Ok(response)
 }
 
 /// Get the aligned source surface

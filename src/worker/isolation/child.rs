@@ -109,19 +109,18 @@ fn answer(
     let nothing = |outcome| (outcome, Vec::new());
     let restored = |parameters| engine.restore(&parameters);
     Ok(match request {
-        Request::Input { parameters, name_hint, is_target, show } => {
+        Request::Input { parameters, name_hint, is_target, view } => {
             let computation = match restored(parameters) {
                 Ok(computation) => computation,
                 Err(failure) => return Ok(nothing(Outcome::Failed(failure))),
             };
             let input = InputBytes { bytes: &body, name_hint: name_hint.as_deref(), is_target };
-            if show {
-                match computation.show_input(&input) {
-                    Ok(surface) => (Outcome::Made, surface),
+            match view {
+                Some(view) => match computation.show_input(&input, view) {
+                    Ok(shown) => (Outcome::Made, shown),
                     Err(refusal) => nothing(Outcome::Unfit(refusal)),
-                }
-            } else {
-                nothing(computation.check_input(&input).map_or_else(Outcome::Unfit, Outcome::Fit))
+                },
+                None => nothing(computation.check_input(&input).map_or_else(Outcome::Unfit, Outcome::Fit)),
             }
         }
         Request::Match { parameters, hints: [source_hint, target_hint], source_bytes, record, n_threads } => {

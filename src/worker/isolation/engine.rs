@@ -9,7 +9,8 @@ use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use crate::jobs::study::{StudyDefinition, StudyFault};
 use crate::jobs::{
     Allotted, Computation, ComputeError, ComputeInputs, ComputesApart, Demand, Engine, Failure, InputBytes,
-    InputRefusal, InputSummary, JobInput, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
+    InputRefusal, InputSummary, InputView, JobInput, ParameterFault, PartFormat, PresentError, Purpose, ResultPart,
+    SurfaceSize,
 };
 use crate::worker::match_engine::MatchEngine;
 use crate::worker::price::PriceLimit;
@@ -280,12 +281,12 @@ impl fmt::Debug for Apart {
 }
 
 impl Apart {
-    fn input(&self, input: &InputBytes<'_>, show: bool) -> Result<(Outcome, Vec<u8>), InputRefusal> {
+    fn input(&self, input: &InputBytes<'_>, view: Option<InputView>) -> Result<(Outcome, Vec<u8>), InputRefusal> {
         let request = Request::Input {
             parameters: self.parameters.clone(),
             name_hint: input.name_hint.map(str::to_owned),
             is_target: input.is_target,
-            show,
+            view,
         };
         let n_bytes = input.bytes.len() as u64;
         match self.shared.once(&request, &[input.bytes], n_bytes) {
@@ -318,15 +319,15 @@ fn uncheckable<T>() -> T {
 
 impl Computation for Apart {
     fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
-        match self.input(input, false)? {
+        match self.input(input, None)? {
             (Outcome::Fit(summary), _) => Ok(summary),
             _ => uncheckable(),
         }
     }
 
-    fn show_input(&self, input: &InputBytes<'_>) -> Result<Vec<u8>, InputRefusal> {
-        match self.input(input, true)? {
-            (Outcome::Made, surface) => Ok(surface),
+    fn show_input(&self, input: &InputBytes<'_>, view: InputView) -> Result<Vec<u8>, InputRefusal> {
+        match self.input(input, Some(view))? {
+            (Outcome::Made, shown) => Ok(shown),
             _ => uncheckable(),
         }
     }

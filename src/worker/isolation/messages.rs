@@ -4,7 +4,7 @@
 //! process itself.
 
 use crate::jobs::study::StudyDefinition;
-use crate::jobs::{ArtifactKind, Failure, InputRefusal, InputSummary, PartFormat, PresentError, ResultPart};
+use crate::jobs::{ArtifactKind, Failure, InputRefusal, InputSummary, InputView, PartFormat, PresentError, ResultPart};
 use homolog_contract::result::{WarpDirection, WarpSpace};
 use homolog_contract::verdict::Verdict;
 use homolog_primitives::observe::{Phase, TracePoint};
@@ -35,8 +35,8 @@ pub(super) enum Request {
         name_hint: Option<String>,
         /// Whether the input is the target.
         is_target: bool,
-        /// Whether the surface is requested instead of a check.
-        show: bool,
+        /// The requested view; `None` for a check.
+        view: Option<InputView>,
     },
     /// Match the two files in the body, the source first.
     Match {
@@ -177,9 +177,9 @@ pub(super) enum Outcome {
     Failed(Failure),
     /// The input can be matched.
     Fit(InputSummary),
-    /// The input cannot be matched, or has no surface.
+    /// The input cannot be matched, or has no such view.
     Unfit(InputRefusal),
-    /// The surface or the converted part is in the body.
+    /// The view or the converted part is in the body.
     Made,
     /// The part cannot be converted.
     NotMade(NotMade),

@@ -86,7 +86,7 @@ async fn a_match_is_answered_in_every_format(backend: Backend) {
         }
         members.extend(point.as_object().unwrap().keys().map(String::as_str));
     }
-    for member in ["energy", "energy_unary", "energy_pairwise", "message_delta_max", "labels_changed", "support"] {
+    for member in ["energy", "energy_unary", "energy_pairwise", "message_delta_max", "vertices_changed", "support"] {
         assert!(members.contains(member), "{member}: {members:?}");
     }
 }

@@ -134,10 +134,9 @@ def study(subjects: Mapping[str, Surface] | Iterable[Surface], covariates: Any =
     """A study of a group: a template, a shape model, statistics at every vertex, quality control and a report.
 
     ``subjects``: files by name, or a mapping from ids to surfaces. ``covariates``: a pandas ``DataFrame`` indexed by id, or a
-    mapping from ids to mappings; of its columns ``side`` (left or right: the other side than the template is mirrored), ``subject``
-    (who it is, of several visits) and ``role`` have a meaning of their own. ``effect``: the covariate that is tested, ``adjust``:
-    those that are adjusted for. Without ``template`` one is made from the group. ``options``: further members of a submission, such
-    as ``permutations``, ``reference``, ``contrasts``, ``template_side``, ``cycles``. A subject that is refused is left out; see
+    mapping from ids to mappings; of its columns ``side`` (left or right: the other side than the template is mirrored), ``label``
+    (of its volume), ``subject`` (who it is, of several visits) and ``role`` have a meaning of their own. ``effect``: the covariate
+    that is tested, ``adjust``: those that are adjusted for. Without ``template`` one is made from the group. ``options``: others, as ``permutations``, ``reference``, ``contrasts``, ``template_side``, ``cycles``. A subject that is refused is left out; see
     ``refused``.
 
     Raises HomologError if what is asked is refused, or the study fails.
@@ -177,8 +176,8 @@ def _subject(name: str, mesh: str, row: Mapping[str, Any]) -> dict[str, Any]:
     values = {str(key): value.item() if hasattr(value, "item") else value for key, value in row.items()}
     values = {key: value for key, value in values.items() if value is not None and value == value}
     document: dict[str, Any] = {"id": name, "input": {"mesh_id": mesh}, "covariates": values}
-    document.update({key: values.pop(key) for key in ("side", "subject", "role") if key in values})
-    return document
+    own = {"side": "side", "subject": "subject", "role": "role", "label": "labels"}
+    return document | {member: values.pop(key) for key, member in own.items() if key in values}
 
 
 def _stem(name: str) -> str:

@@ -22,8 +22,9 @@ pub struct DisplacementParameters {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum FieldStarts {
-    /// Those that RANSAC finds among the labels of belief propagation; a search of all orientations where these leave a doubt.
-    Labels,
+    /// Those that RANSAC finds among the pairs that belief propagation assigns; a search of all orientations where these leave a doubt.
+    #[cfg_attr(feature = "serde", serde(rename = "inference", alias = "labels"))]
+    Inference,
     /// Those of a search of all orientations, for comparison.
     Search,
 }
@@ -51,7 +52,7 @@ pub enum Bending {
     /// Tubular surfaces, longer than six of their radii, straightened along their center lines. Tried where rigid starts disagree, and
     /// where surfaces of one shape are bent against each other; kept where they then fit better.
     Straightened,
-    /// The same, and any surface by the correspondence that keeps distances along the surfaces best: the labeling of lowest energy
+    /// The same, and any surface by the correspondence that keeps distances along the surfaces best: the assignment of lowest energy
     /// of a Markov random field without a pose, by belief propagation from bending-invariant forms and from extremities. Tried only where rigid starts disagree, and
     /// between closed surfaces with four limbs or more; kept where they then fit better.
     NearIsometry,
@@ -63,8 +64,8 @@ pub enum Bending {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DisplacementMode {
-    /// No deformation: correspondences are the labels of the minimizer, or the nearest vertices where there is none or it
-    /// worked on a coarse level. A match fails if no rigid transform is supported by three of the labels.
+    /// No deformation: correspondences are the target vertices of the minimizer, or the nearest vertices where there is none or it
+    /// worked on a coarse level. A match fails if no rigid transform is supported by three of them.
     None,
     /// A smooth field deforms the source, starting from the rigid transform, from the landmarks and from a search of all
     /// orientations, whichever fits best after the deformation. Each vertex then corresponds to the closest point of the

@@ -143,9 +143,9 @@ pub struct EnergyParameters {
     pub alpha: f64,
     /// Weight `β` of the difference of distances in the pairwise potentials.
     pub beta: f64,
-    /// How the distance `d'` of two labels is measured.
+    /// How the distance `d'` of two target vertices is measured.
     pub pairwise_distance: PairwiseDistance,
-    /// Truncation `T` of a pairwise potential: the cost of an edge whose two labels are not within the neighborhood radius.
+    /// Truncation `T` of a pairwise potential: the cost of an edge whose two target vertices are not within the neighborhood radius.
     /// `null`: `T → ∞`, a hard neighborhood constraint; such an edge then counts as 60 in every reported energy.
     pub truncation: Option<f64>,
     /// Neighborhood radius `r` in edges.
@@ -177,7 +177,7 @@ pub enum Precisions {
     Learned,
 }
 
-/// How the distance `d'` of two labels is measured.
+/// How the distance `d'` of two target vertices is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]

@@ -7,12 +7,12 @@
 #[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct InferenceParameters {
     /// The algorithm. The method `balanced` has `none`, but `max_product` for a request that names no algorithm and states anything else about
-    /// the energy of labels: `features`, `energy`, `inference`, `clamping` or RANSAC's parameters, or landmarks without a smooth field.
+    /// the energy of assignments: `features`, `energy`, `inference`, `clamping` or RANSAC's parameters, or landmarks without a smooth field.
     pub algorithm: Algorithm,
-    /// Label pairs that belief propagation considers when it updates a message.
+    /// Pairs of target vertices that belief propagation considers when it updates a message.
     pub update: Update,
     /// Vertices of the coarse levels on which the energy of larger surfaces is minimized; corresponding points of all
-    /// vertices are determined after registration. `null`: every source vertex is a variable, every target vertex a label.
+    /// vertices are determined after registration. `null`: every source vertex is a variable, every target vertex one of its choices.
     #[cfg_attr(feature = "openapi", schema(minimum = 100, maximum = 20000))]
     pub coarse_vertices: Option<u32>,
     /// Most iterations of belief propagation, or sweeps of a randomized minimizer, in the first round. Later rounds have a
@@ -28,7 +28,7 @@ pub struct InferenceParameters {
     /// Energy at which `las_vegas`, `gibbs` and `metropolis` stop with a certified answer; `null`: the lower bound if one was
     /// computed, otherwise none.
     pub target_energy: Option<f64>,
-    /// Sweeps without a lower energy after which `las_vegas` restarts from a random labeling.
+    /// Sweeps without a lower energy after which `las_vegas` restarts from a random assignment.
     #[cfg_attr(feature = "openapi", schema(minimum = 1, maximum = 10000))]
     pub restart_after: u32,
     /// Iterations of the dual method that computes a lower bound of the energy; 0: no bound is computed.
@@ -42,24 +42,24 @@ pub struct InferenceParameters {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Algorithm {
-    /// Max-product belief propagation: approximates the labeling of lowest energy.
+    /// Max-product belief propagation: approximates the assignment of lowest energy.
     MaxProduct,
-    /// Sum-product belief propagation: approximates the marginals, and takes the most probable label of each vertex.
+    /// Sum-product belief propagation: approximates the marginals, and takes the most probable target vertex of each variable.
     SumProduct,
-    /// Tree-reweighted message passing (TRW-S): raises a lower bound of the energy and decodes a labeling from it.
+    /// Tree-reweighted message passing (TRW-S): raises a lower bound of the energy and decodes an assignment from it.
     TreeReweighted,
-    /// Simulated annealing with the Gibbs sampler: every label is drawn from its conditional distribution.
+    /// Simulated annealing with the Gibbs sampler: every target vertex is drawn from its conditional distribution.
     Gibbs,
-    /// Simulated annealing with the Metropolis sampler: a label is proposed, then accepted or rejected.
+    /// Simulated annealing with the Metropolis sampler: a target vertex is proposed, then accepted or rejected.
     Metropolis,
     /// Random moves that are accepted only when they lower the energy, with restarts.
     LasVegas,
-    /// No energy of labels is minimized: the pose comes from `registration.initial`. With `search` and a smooth field, the field compares the
+    /// No energy of assignments is minimized: the pose comes from `registration.initial`. With `search` and a smooth field, the field compares the
     /// poses of the search.
     None,
 }
 
-/// Label pairs that the update of a message considers.
+/// Pairs of target vertices that the update of a message considers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -67,8 +67,8 @@ pub enum Algorithm {
 pub enum Update {
     /// Pairs within the neighborhood radius; all others share the truncation. Gives the same messages as `full`.
     Sparse,
-    /// Pairs within the neighborhood radius, restricted to the labels of lowest unary potential of each variable and those
-    /// near the best labels of its neighbors. Nearly the same answer in less time and memory.
+    /// Pairs within the neighborhood radius, restricted to the target vertices of lowest unary potential of each variable and those
+    /// near the best ones of its neighbors. Nearly the same answer in less time and memory.
     Active,
     /// All pairs: the same messages as `sparse` in more time, for small surfaces and for comparison.
     Full,
@@ -122,7 +122,7 @@ pub struct ClampingParameters {
 pub enum ClampingMode {
     /// No feedback.
     None,
-    /// Inlier variables are fixed to their labels.
+    /// Inlier variables are fixed to their target vertices.
     Hard,
     /// The distance and the disagreement of normals after registration are added to every unary potential.
     Soft,

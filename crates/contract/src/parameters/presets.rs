@@ -135,7 +135,7 @@ impl Method {
 /// The effective parameters of a preset.
 pub fn preset(method: Method) -> MatchParameters {
     let balanced = MatchParameters { method, ..balanced() };
-    // Methods for the study of minimizers minimize the energy of all vertices and return its labels.
+    // Methods for the study of minimizers minimize the energy of all vertices and return its assignment.
     let direct = MatchParameters {
         inference: InferenceParameters {
             algorithm: Algorithm::MaxProduct,
@@ -265,7 +265,7 @@ fn balanced() -> MatchParameters {
         displacement: DisplacementParameters {
             mode: DisplacementMode::Smooth,
             bending: Bending::NearIsometry,
-            starts: FieldStarts::Labels,
+            starts: FieldStarts::Inference,
             uncertainty: Uncertainty::Posterior,
         },
         landmarks: Vec::new(),
@@ -293,7 +293,7 @@ mod tests {
         assert_eq!((thesis.inference.algorithm, thesis.inference.coarse_vertices), (Algorithm::MaxProduct, None));
         assert_eq!((thesis.displacement.mode, thesis.clamping.mode), (DisplacementMode::None, ClampingMode::Soft));
         // Messages, neighborhood, scales, weights, iterations and refinement; all other parameters are those of the
-        // other minimizers of labels.
+        // other minimizers of assignments.
         let rest = MatchParameters {
             method: gibbs.method,
             features: gibbs.features.clone(),

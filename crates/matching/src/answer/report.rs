@@ -170,7 +170,7 @@ fn energy(problem: &EnergyProblem<'_>, labeling: &[u32]) -> EnergyDocument {
     let found = model.energy(labeling);
     EnergyDocument {
         n_variables: model.variables.n_vertices() as u32,
-        n_labels: model.labels.n_labels() as u32,
+        n_target_vertices: model.labels.n_labels() as u32,
         initial: model.energy(&model.unary_minimum()).total(),
         r#final: found.total(),
         per_variable: found.total() / model.variables.n_vertices() as f64,

@@ -186,7 +186,7 @@ impl Inferred {
         InferenceOutcome {
             energy: EnergyDocument {
                 n_variables: model.n_variables() as u32,
-                n_labels: model.n_labels() as u32,
+                n_target_vertices: model.n_labels() as u32,
                 initial: self.initial.total(),
                 r#final: energy.total(),
                 per_variable: energy.total() / model.n_variables() as f64,

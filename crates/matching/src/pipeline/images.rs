@@ -150,7 +150,7 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
         _ => None,
     };
     // If one surface is open, some labels or variables may have no counterpart.
-    let may_begin = !surfaces.open && scene.parameters.displacement.starts == FieldStarts::Labels;
+    let may_begin = !surfaces.open && scene.parameters.displacement.starts == FieldStarts::Inference;
     match inferred.as_ref().filter(|inferred| may_begin && inferred.is_clear()) {
         Some(inferred) => {
             let poses: Vec<RigidTransform> = inferred.poses().collect();

@@ -119,7 +119,7 @@ fn a_coarse_level_gives_the_answer_of_all_vertices() {
     let of = |n: Value| run(&source, &target, json!({"inference": {"coarse_vertices": n}}));
     let (coarse, direct) = (of(json!(200)), of(Value::Null));
     let (a, b) = (coarse.energy.unwrap(), direct.energy.unwrap());
-    assert!(a.n_variables <= 200 && a.n_labels <= 200, "{a:?}");
+    assert!(a.n_variables <= 200 && a.n_target_vertices <= 200, "{a:?}");
     assert_eq!(b.n_variables as usize, source.n_vertices());
     let edge = target.mean_edge_length();
     let images =

@@ -122,7 +122,7 @@ impl Minimizer for Dual<'_> {
                 energy: Some(energy.total()),
                 energy_unary: Some(energy.unary),
                 energy_pairwise: Some(energy.pairwise),
-                labels_changed: (!last.is_empty()).then_some(changed as u32),
+                vertices_changed: (!last.is_empty()).then_some(changed as u32),
                 // With feedback the bound is for another energy than the reported one.
                 lower_bound: self.biased.is_none().then_some(iteration.bound),
                 ..TracePoint::new(round, Phase::Inference, iteration.iteration)
@@ -191,7 +191,7 @@ impl Minimizer for Search<'_> {
                 energy: Some(sweep.energy.total()),
                 energy_unary: Some(sweep.energy.unary),
                 energy_pairwise: Some(sweep.energy.pairwise),
-                labels_changed: Some(sweep.labels_changed),
+                vertices_changed: Some(sweep.labels_changed),
                 temperature: sweep.temperature,
                 ..TracePoint::new(round, Phase::Inference, sweep.sweep)
             });

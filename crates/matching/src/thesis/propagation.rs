@@ -36,7 +36,7 @@ pub(crate) fn trace_point(round: u32, iteration: &BpIteration) -> TracePoint {
         energy_unary: Some(iteration.energy.unary),
         energy_pairwise: Some(iteration.energy.pairwise),
         message_delta_max: Some(iteration.message_delta_max.into()),
-        labels_changed: Some(iteration.labels_changed),
+        vertices_changed: Some(iteration.labels_changed),
         ..TracePoint::new(round, Phase::Inference, iteration.iteration)
     }
 }

@@ -3,7 +3,7 @@
 //!
 //! [`prepare_surface`] reads the file, makes a surface, repairs it as far as the parameters allow and checks the
 //! result. [`inspect`] does the same and reports findings instead of refusing. [`shown_surface`] is a surface to look
-//! at, also of a refused file. None of them repeats the file's name or text from the file: both may name a patient.
+//! at, also of a refused file, [`shown_volume`] the volume behind it. None of them repeats the file's name or text from the file: both may name a patient.
 
 mod candidate;
 mod error;
@@ -19,7 +19,7 @@ pub use error::{Advice, IntakeError};
 pub use homolog_contract::input::{InputFormat, InputKind, InputReport, Inspection};
 pub use inspection::{LabelShape, inspect, label_shapes};
 pub use label_names::{LabelTable, NearName, are_one_name, chosen_numbers, label_tables};
-pub use shown::shown_surface;
+pub use shown::{shown_surface, shown_volume};
 
 use crate::mirror::MirrorPlane;
 use crate::whole::Dropped;

@@ -1,9 +1,10 @@
-//! The surface of an input for display, also of a refused input.
+//! What there is to see of an input: its surface, also of a refused input, and its label volume.
 
 use super::{IntakeError, IntakeLimits, prepare_surface, read};
 use homolog_contract::parameters::InputParameters;
 use homolog_formats::FileContent;
 use homolog_mesh::SurfaceMesh;
+use homolog_mesh::volume::LabelVolume;
 
 /// The surface that would be matched; for a refused mesh, the surface in the file, on which the places named by
 /// [`IntakeError::place_mm`] can be shown.
@@ -26,6 +27,25 @@ pub fn shown_surface(
     match read(bytes, file_name, parameters, limits)?.content {
         FileContent::Mesh(file) => Ok(file.mesh),
         FileContent::Labels(_) => Err(refusal),
+    }
+}
+
+/// The label volume of a file, with all its labels in RAS; `None` for a mesh.
+///
+/// # Errors
+/// [`IntakeError`] if the file cannot be read.
+///
+/// # Cost
+/// Linear in the file.
+pub fn shown_volume(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    parameters: &InputParameters,
+    limits: &IntakeLimits,
+) -> Result<Option<LabelVolume>, IntakeError> {
+    match read(bytes, file_name, parameters, limits)?.content {
+        FileContent::Labels(volume) => Ok(Some(volume)),
+        FileContent::Mesh(_) => Ok(None),
     }
 }
 

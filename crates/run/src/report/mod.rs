@@ -272,14 +272,14 @@ fn energy(inputs: &ReportInputs<'_>) -> String {
     let minimized =
         inputs.document.rounds.iter().find(|round| round.chosen).map_or(energy.r#final, |round| round.energy);
     format!(
-        "<h2>Energy</h2>\n<p>{:.2} where every vertex takes the label that suits it alone, {minimized:.2} after its \
-         minimization, {:.2} for the answer, {:.2} for each of its {} variables; {} labels, no unit, lower is better. The number of iterations is \
+        "<h2>Energy</h2>\n<p>{:.2} where every vertex takes the target vertex that suits it alone, {minimized:.2} after its \
+         minimization, {:.2} for the answer, {:.2} for each of its {} variables; {} target vertices to choose from, no unit, lower is better. The number of iterations is \
          part of the method.</p>\n{}",
         energy.initial,
         energy.r#final,
         energy.per_variable,
         energy.n_variables,
-        energy.n_labels,
+        energy.n_target_vertices,
         energy_plot(Some(energy.initial), Phase::Inference, inputs.trace).unwrap_or_default()
     )
 }

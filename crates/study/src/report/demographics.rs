@@ -6,10 +6,14 @@ use crate::cohort::{Covariate, Values};
 use crate::findings::Findings;
 use crate::plan::Study;
 use homolog_run::page::escaped;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Number of different permutations below which they are reported as few: no p below 0.001 is possible.
 const FEW_PERMUTATIONS: f64 = 1000.0;
+
+/// Number of subjects below which Wald tests by the normal distribution are doubted: at 30, quantiles of t are 4 % larger than those of
+/// the normal distribution.
+const FEW_SUBJECTS: usize = 30;
 
 /// Subjects of the model that are compared, with the name of the group.
 struct Group {
@@ -42,7 +46,7 @@ fn moments(values: &[f64]) -> String {
     let squares = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
     let sd = if n > 1 { format!(" ± {}", short((squares / (n - 1) as f64).sqrt())) } else { String::new() };
     let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
-    format!("{}{sd} ({} to {}; n {n})", short(mean), short(low), short(high))
+    format!("{}{sd} ({} to {}; n\u{a0}{n})", short(mean), short(low), short(high))
 }
 
 /// A number with digits appropriate to its size.
@@ -51,14 +55,27 @@ fn short(value: f64) -> String {
     format!("{value:.digits$}").replace('-', "−")
 }
 
+/// Number of people among these rows.
+fn people(study: &Study, rows: &[usize]) -> usize {
+    rows.iter().map(|&k| &study.cohort.subjects[k].subject).collect::<BTreeSet<_>>().len()
+}
+
+/// The number of subjects among these rows in words, and that of surfaces where subjects have several.
+pub(super) fn counted(study: &Study, rows: &[usize]) -> String {
+    let (n, people) = (rows.len(), people(study, rows));
+    if n == people { format!("{n} subjects") } else { format!("{n} surfaces of {people} subjects") }
+}
+
 /// The table of covariates and sizes by group.
 pub(super) fn section(study: &Study, found: &Findings) -> String {
     let groups = groups(study, found);
-    let mut rows = vec![
-        std::iter::once("subjects".to_owned())
-            .chain(groups.iter().map(|group| group.members.len().to_string()))
-            .collect(),
-    ];
+    let numbers = |name: &str, of: &dyn Fn(&Group) -> usize| -> Vec<String> {
+        std::iter::once(name.to_owned()).chain(groups.iter().map(|group| of(group).to_string())).collect()
+    };
+    let mut rows = vec![numbers("subjects", &|group| people(study, &group.members))];
+    if study.cohort.is_longitudinal() {
+        rows.push(numbers("surfaces", &|group| group.members.len()));
+    }
     let mut row = |name: String, cell: &dyn Fn(&Group) -> String| {
         rows.push(std::iter::once(name).chain(groups.iter().map(cell)).collect());
     };
@@ -98,15 +115,23 @@ pub(super) fn degrees(study: &Study, found: &Findings) -> String {
     let Some(statistics) = &found.statistics else { return String::new() };
     let (n, p) = (statistics.design.rows.len(), statistics.design.columns.len());
     let mut html = format!(
-        "<p>{n} subjects, {p} columns of the design ({}), {:.0} degrees of freedom of the residuals.</p>\n",
+        "<p>{}, {p} columns of the design ({}), {:.0} degrees of freedom of the residuals.</p>\n",
+        counted(study, &statistics.design.rows),
         escaped(&statistics.design.columns.join(", ")),
         statistics.degrees
     );
     if statistics.longitudinal {
         html.push_str(
-            "<p>Subjects have several rows: a random intercept for each, Wald tests by the normal distribution, no \
+            "<p>Subjects have several surfaces: a random intercept for each subject, Wald tests by the normal distribution, no \
              permutations.</p>\n",
         );
+        let people = people(study, &statistics.design.rows);
+        if people < FEW_SUBJECTS {
+            html.push_str(&format!(
+                "<p class=\"warning\"><strong>Few subjects:</strong> Wald tests by the normal distribution give too small p-values for \
+                 {people} subjects; take them as a hint where to look.</p>\n"
+            ));
+        }
         return html;
     }
     let effect = study.settings.analysis.effect.as_ref().and_then(|name| study.cohort.covariate(name));
@@ -166,7 +191,7 @@ mod tests {
 
     #[test]
     fn moments_are_those_of_a_sample() {
-        assert_eq!(moments(&[1.0, 2.0, 3.0]), "2.00 ± 1.00 (1.00 to 3.00; n 3)");
-        assert_eq!((moments(&[]).as_str(), moments(&[250.4]).as_str()), ("none", "250 (250 to 250; n 1)"));
+        assert_eq!(moments(&[1.0, 2.0, 3.0]), "2.00 ± 1.00 (1.00 to 3.00; n\u{a0}3)");
+        assert_eq!((moments(&[]).as_str(), moments(&[250.4]).as_str()), ("none", "250 (250 to 250; n\u{a0}1)"));
     }
 }

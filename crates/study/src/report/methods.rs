@@ -98,7 +98,8 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
     let body: String = paragraphs.iter().map(|text| format!("<p>{text}</p>\n")).collect();
     let parameters = serde_json::to_string_pretty(&settings.parameters).unwrap_or_default();
     format!(
-        "<h2>Methods</h2>\n{body}<details><summary>All parameters of the matches</summary><pre>{}</pre></details>\n",
+        "<h2>Methods</h2>\n{body}<details><summary>All parameters of the matches</summary><pre>{0}</pre></details>\n\
+         <p class=\"printed\">All parameters of the matches:</p>\n<pre class=\"printed\">{0}</pre>\n",
         escaped(&parameters)
     )
 }

@@ -32,6 +32,8 @@ const MAX_PICTURES: usize = 12;
 const MAX_PICTURE_VERTICES: usize = 120_000;
 /// Modes on the page.
 const SHOWN_MODES: usize = 5;
+/// Most maps and modes that are printed, each with a picture.
+const PRINTED_FIGURES: usize = 24;
 /// Rows of the table of quality control on a screen; print has all.
 const SHOWN_SUBJECTS: usize = 200;
 
@@ -61,10 +63,11 @@ pub(crate) fn page(
         methods::references(study, found),
     ]
     .concat();
-    let n = found.subjects.len();
+    let all: Vec<usize> = (0..found.subjects.len()).collect();
+    let counted = demographics::counted(study, &all);
     let page = Page {
-        title: &format!("homolog: a study of {n} subjects"),
-        heading: &format!("Study of {n} subjects"),
+        title: &format!("homolog: a study of {counted}"),
+        heading: &format!("Study of {counted}"),
         style: STYLE,
         script: SCRIPT,
         body: &body,
@@ -158,15 +161,17 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
     }
     let more = order.len().saturating_sub(SHOWN_SUBJECTS);
     let more = if more > 0 {
-        format!("<p class=\"hint\">{more} more in print and in quality.csv.</p>")
+        format!("<p class=\"hint screen\">{more} more in print and in quality.csv.</p>")
     } else {
         String::new()
     };
     format!(
         "<h2>Quality control</h2>\n<p class=\"hint\">The most urgent first. Residual: mean distance from the subject's surface to the \
          template bent onto it. Turned: triangles of the template that the map turns over. Unusual: share of subjects \
-         whose shape is at least as unusual to a model of the others. To leave a subject out, or to keep one whose match is \
-         not reliable, write its id, dropped or kept, and why into decisions.csv, and run the study again.</p>\n\
+         whose shape is at least as unusual to a model of the others. Pictures: displacement from the mean along its normal, red \
+         outwards, each in a scale of its own.</p>\n\
+         <p class=\"hint screen\">To leave a subject out, or to keep one whose match is not reliable, write its id, dropped or kept, and \
+         why into decisions.csv, and run the study again.</p>\n\
          <div class=\"scroll\"><table><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">shape</th>\
          <th scope=\"col\">place</th><th scope=\"col\">look at</th><th scope=\"col\">residual, mm</th>\
          <th scope=\"col\">turned, %</th><th scope=\"col\">unusual, p</th></tr></thead><tbody>{rows}</tbody></table></div>\n{more}"
@@ -209,7 +214,7 @@ impl View {
             let title = format!("{}: {}", contrast.map_or("", |c| &c.name), map.measure.title());
             let _ = write!(map_options, "<option value=\"{}\">{}</option>", maps.len(), escaped(&title));
             maps.push(json!({
-                "title": title, "largest": largest, "values": values, "significant": BASE64.encode(significant),
+                "legend": title, "largest": largest, "values": values, "significant": BASE64.encode(significant),
             }));
         }
         if maps.is_empty() {
@@ -225,7 +230,7 @@ impl View {
             let title = "standard deviation along the normal, mm";
             let _ = write!(map_options, "<option value=\"0\">{title}</option>");
             let all = BASE64.encode(vec![1u8; mean.n_vertices()]);
-            maps.push(json!({"title": title, "largest": largest, "values": values, "significant": all}));
+            maps.push(json!({"legend": title, "largest": largest, "values": values, "significant": all}));
         }
         let (mut shapes, mut shape_options) = (Vec::new(), String::new());
         for mode in 0..found.model.modes.len().min(SHOWN_MODES) {
@@ -237,7 +242,10 @@ impl View {
             let title = format!("mode {}, {share:.1} % of the variance", mode + 1);
             let _ = write!(shape_options, "<option value=\"{}\">{title}</option>", shapes.len());
             let moves = base64(vectors.iter().flat_map(|d| <[f64; 3]>::from(*d * length)));
-            shapes.push(json!({"title": title, "values": scaled(&along).0, "move": moves}));
+            let (values, largest) = scaled(&along);
+            let legend =
+                format!("{title}, at +{MODE_DEVIATIONS} standard deviations: displacement along the normal, mm");
+            shapes.push(json!({"title": title, "legend": legend, "largest": largest, "values": values, "move": moves}));
         }
         let mut pictures = Vec::new();
         let most = (MAX_PICTURE_VERTICES / mean.n_vertices().max(1)).clamp(1, MAX_PICTURES);
@@ -254,11 +262,19 @@ impl View {
             let title = format!("subject {}", study.cohort.subjects[k].id);
             let _ = write!(shape_options, "<option value=\"{}\">{}</option>", shapes.len(), escaped(&title));
             pictures.push((k, shapes.len()));
-            shapes.push(json!({"title": title, "values": scaled(&along).0, "points": flat(&own)}));
+            let (values, largest) = scaled(&along);
+            let legend = format!("{title}: displacement from the mean along the normal, mm");
+            let points = flat(&own);
+            shapes.push(
+                json!({"title": title, "legend": legend, "largest": largest, "values": values, "points": points}),
+            );
         }
+        let n_figures = maps.len() + found.model.modes.len().min(SHOWN_MODES);
+        let more = n_figures.saturating_sub(PRINTED_FIGURES);
+        let more = if more > 0 { format!(" {more} more are in the folder, maps and modes.") } else { String::new() };
         let data = json!({
             "radius": radius, "turn": turn, "points": flat(mean.vertices()), "triangles": BASE64.encode(triangles(mean)),
-            "maps": maps, "shapes": shapes,
+            "maps": maps, "shapes": shapes, "printed": PRINTED_FIGURES,
         });
         let section = format!(
             "<h2>Maps and modes</h2>\n<div class=\"stage\"><canvas id=\"view\" tabindex=\"0\" role=\"img\" aria-label=\"The mean \
@@ -268,10 +284,14 @@ impl View {
              <label><input type=\"checkbox\" id=\"only\"> only corrected p &lt; 0.05</label></div><div>\
              <select id=\"shape\" aria-label=\"Mode or subject\">{shape_options}</select>\
              <label>−2 sd <input type=\"range\" id=\"along\" min=\"-50\" max=\"50\" value=\"50\"> +2 sd</label></div></div>\n\
-             <p class=\"colors\"><span id=\"low\"></span><span class=\"bar\"></span><span id=\"high\"></span> \
+             <p class=\"colors screen\"><span id=\"low\"></span><span class=\"bar\" id=\"bar\"></span><span id=\"high\"></span> \
              <span id=\"legend\"></span></p>\n\
+             <p class=\"colors screen\"><span id=\"right-low\"></span><span class=\"bar\" id=\"right-bar\"></span>\
+             <span id=\"right-high\"></span> <span id=\"right-legend\"></span></p>\n\
              <p class=\"save\" id=\"save\"></p>\n\
-             <p class=\"hint\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
+             <p class=\"hint printed\">Each map and mode on the mean surface, from both sides; the bar ends at the 99th percentile.{more}</p>\n\
+             <div class=\"printed figures\" id=\"figures\"></div>\n\
+             <p class=\"hint screen\">Drag or use the arrow keys to turn, scroll to zoom. Red is outwards, blue inwards, of modes and \
              subjects along the normal of the mean. Pictures are saved as they are shown; the surfaces with all maps are in the folder, \
              maps/*.vtk and maps/*.shape.gii over mean.surf.gii.</p>\n"
         );
@@ -315,28 +335,31 @@ fn effects(study: &Study, found: &Findings) -> String {
                 let key = |v: usize| (p[v], -map.effect()[v].abs());
                 if key(v) < key(best) { v } else { best }
             });
-            vec![
+            let mut row = vec![
                 escaped(&statistics.design.contrasts[map.contrast].name),
                 map.measure.title().to_owned(),
                 p.get(best).map_or(String::new(), |p| p_value(*p)),
                 format!("{:.1} %", 100.0 * significant_share(p, weights)),
                 map.effect().get(best).map_or(String::new(), |effect| signed(*effect, 3)),
-                map.linear.as_ref().map_or(String::new(), |(linear, _)| signed(linear.g[best], 2)),
-                format!("{:.1} %", 100.0 * significant_share(&map.q, weights)),
-            ]
+            ];
+            // Of visits the corrected value is q itself, and g is not defined.
+            if let Some((linear, _)) = &map.linear {
+                row.push(signed(linear.g[best], 2));
+                row.push(format!("{:.1} %", 100.0 * significant_share(&map.q, weights)));
+            }
+            row
         })
         .collect();
     let corrected = if statistics.longitudinal { "smallest q (FDR)" } else { "smallest p (TFCE, FWE)" };
-    let header = [
-        "contrast",
-        "measure",
-        corrected,
-        "of the surface below 0.05",
-        "effect there",
-        "g there",
-        "q (FDR) below 0.05",
-    ];
+    let mut header = vec!["contrast", "measure", corrected, "of the surface below 0.05", "effect there"];
+    if !statistics.longitudinal {
+        header.extend(["g there", "q (FDR) below 0.05"]);
+    }
     html.push_str(&table(&header, &rows, "free"));
+    html.push_str(
+        "<p class=\"hint\">Of the surface below 0.05: share of the area. Effect and g there: where that value is smallest, and of \
+         equal ones where the effect is largest.</p>\n",
+    );
     for measure in &statistics.left_out {
         let _ = write!(html, "<p class=\"hint\">{} is not meaningful here: a surface is open.</p>", measure.name());
     }

@@ -1,6 +1,6 @@
 "use strict";
 // Draws two views of the mean surface with WebGL 2 in one canvas: maps of statistics on the left, modes and subjects on the
-// right, with one rotation for both; and the pictures of the table of quality control.
+// right, with one rotation for both; the pictures of the table of quality control; and those of all maps and modes for print.
 (() => {
   const data = JSON.parse(document.getElementById("data").textContent);
   const by = (id) => document.getElementById(id);
@@ -157,12 +157,14 @@
     if (right) one(right, data.shapes[shape.value].move ? Number(along.value) / 50 : 0, [half, 0, half, height], turn, zoom);
   };
   const redraw = () => { if (!waiting) { waiting = true; requestAnimationFrame(draw); } };
+  const ends = (of) => [`−${of.largest.toPrecision(3)}`, of.largest.toPrecision(3)];
   const say = () => {
-    const of = data.maps[map.value];
-    by("low").textContent = of ? `−${of.largest.toPrecision(3)}` : "";
-    by("high").textContent = of ? of.largest.toPrecision(3) : "";
-    by("legend").textContent = of ? of.title : "";
     const right = data.shapes[shape.value];
+    for (const [place, of] of [["", data.maps[map.value]], ["right-", right]]) {
+      [by(`${place}low`).textContent, by(`${place}high`).textContent] = of ? ends(of) : ["", ""];
+      by(`${place}legend`).textContent = of ? of.legend : "";
+      by(`${place}bar`).hidden = !of;
+    }
     by("right").textContent = right ? right.title : "";
     along.disabled = !(right && right.move);
     redraw();
@@ -172,7 +174,7 @@
   const figure = () => {
     draw();
     const like = document.querySelector("svg.plot"), space = like.namespaceURI;
-    const width = 960, high = Math.round((width * canvas.height) / canvas.width), height = high + 44;
+    const width = 960, high = Math.round((width * canvas.height) / canvas.width), height = high + 66;
     const made = (name, members, text = "") => {
       const element = document.createElementNS(space, name);
       for (const [member, value] of Object.entries(members)) element.setAttribute(member, value);
@@ -184,14 +186,35 @@
     svg.append(made("text", { x: 12, y: 20 }, "mean"), made("text", { x: width / 2 + 12, y: 20 }, by("right").textContent));
     const ramp = made("linearGradient", { id: "ramp" });
     [["0", "rgb(33,89,173)"], ["0.5", "rgb(204,207,212)"], ["1", "rgb(179,28,36)"]].forEach(([offset, color]) => ramp.append(made("stop", { offset, "stop-color": color })));
-    const y = high + 16;
-    svg.append(ramp, made("text", { x: 92, y: y + 11, "text-anchor": "end" }, by("low").textContent), made("rect", { x: 100, y, width: 200, height: 12, fill: `url${"("}#ramp)` }));
-    svg.append(made("text", { x: 308, y: y + 11 }, `${by("high").textContent}   ${by("legend").textContent}${only.checked ? ", corrected p < 0.05" : ""}`));
+    svg.append(ramp);
+    ["", "right-"].filter((place) => !by(`${place}bar`).hidden).forEach((place, k) => {
+      const y = high + 16 + 22 * k, of = (name) => by(place + name).textContent;
+      svg.append(made("text", { x: 92, y: y + 11, "text-anchor": "end" }, of("low")), made("rect", { x: 100, y, width: 200, height: 12, fill: `url${"("}#ramp)` }));
+      svg.append(made("text", { x: 308, y: y + 11 }, `${of("high")}   ${of("legend")}${k === 0 && only.checked ? ", corrected p < 0.05" : ""}`));
+    });
     return svg;
   };
   savers(by("save"), () => plain(`${by("legend").textContent} ${by("right").textContent}`), figure);
 
-  // Pictures of quality control: drawn in the same canvas, then copied.
+  // Maps and modes for print, each from both sides, with its color bar: drawn in the same canvas, then copied.
+  [canvas.width, canvas.height] = [880, 256];
+  const behind = times(about(0, Math.PI), data.turn);
+  const printed = [...data.maps.map((of, k) => [of, maps[k], 0]), ...data.shapes.map((of, k) => [of, shapes[k], 1]).filter(([of]) => of.move)];
+  for (const [of, what, amount] of printed.slice(0, data.printed)) {
+    clear();
+    one({ ...what, marks: undefined }, amount, [0, 0, 440, 256], data.turn, 1);
+    one({ ...what, marks: undefined }, amount, [440, 0, 440, 256], behind, 1);
+    const [figure, picture, scale, bar, caption] = ["figure", "canvas", "div", "span", "figcaption"].map((name) => document.createElement(name));
+    [picture.width, picture.height, scale.className, bar.className] = [880, 256, "colors", "bar"];
+    picture.getContext("2d").drawImage(canvas, 0, 0);
+    const [low, high] = ends(of);
+    scale.append(low, bar, high);
+    caption.textContent = of.legend;
+    figure.append(picture, scale, caption);
+    by("figures").append(figure);
+  }
+
+  // Pictures of quality control.
   canvas.width = 220; canvas.height = 128;
   for (const picture of document.querySelectorAll("canvas[data-shape]")) {
     clear();

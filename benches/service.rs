@@ -23,11 +23,11 @@ mod node;
 mod overhead;
 #[path = "service/pairs.rs"]
 mod pairs;
-#[path = "service/place.rs"]
-mod place;
 #[path = "../tests/suite/patience.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod patience;
+#[path = "service/place.rs"]
+mod place;
 #[path = "../tests/suite/faults/postgres.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod postgres;

@@ -68,7 +68,9 @@ fn of_methods() -> Vec<Case> {
     for method in Method::ALL {
         let is_direct = preset(method).inference.algorithm != Algorithm::None;
         let request = if is_direct { json!({"inference": {"max_iterations": 1}}) } else { json!({}) };
-        for levels in [[4, 4], [2, 5], [5, 2]] {
+        let is_at_every_size = [Method::Rigid, Method::Thesis, Method::Gibbs].contains(&method);
+        let sizes: &[[u32; 2]] = if is_at_every_size { &[[4, 4], [2, 5], [5, 2]] } else { &[[4, 4]] };
+        for &levels in sizes {
             let mut request = request.clone();
             request["method"] = json!(method.name());
             cases.push((levels, request));
@@ -114,18 +116,17 @@ fn assert_predicted(cases: &[Case]) {
     // Scratch space for matrix products is kept by the threads, and not counted.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().unwrap();
     taken([2, 2], &json!({}), &pool);
-    let mut lines = Vec::new();
-    let mut is_fine = true;
+    let mut missed = Vec::new();
     for (levels, request) in cases {
         let (predicted, counted) = taken(*levels, request, &pool);
         let share = predicted as f64 / counted as f64;
-        let is_near = share >= 1.0 && (share <= 2.0 || predicted < SMALL);
-        is_fine &= is_near;
-        let said = if is_near { "" } else { " <--" };
-        lines.push(format!("{levels:?} {request}: predicted {predicted}, counted {counted}, {share:.2}{said}"));
+        let line = format!("{levels:?} {request}: predicted {predicted}, counted {counted}, {share:.2}");
+        println!("{line}");
+        if share < 1.0 || (share > 2.0 && predicted >= SMALL) {
+            missed.push(line);
+        }
     }
-    println!("{}", lines.join("\n"));
-    assert!(is_fine, "\n{}", lines.join("\n"));
+    assert!(missed.is_empty(), "\n{}", missed.join("\n"));
 }
 
 /// One test, because the allocator counts what the whole process holds.

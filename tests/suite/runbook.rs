@@ -168,7 +168,7 @@ mod postgres {
         for (place, answer) in [
             ("With SQL, over all tenants", id.as_str()),
             ("PostgreSQL's write-ahead log grows", "failed_count"),
-            ("To see which migrations the database has:", "fairness"),
+            ("To see which migrations the database has:", "service"),
         ] {
             let commands = commands_after(place).replace("psql \"", "psql --set ON_ERROR_STOP=1 \"");
             let said = run(&format!("HOMOLOG_DATABASE_URL='{url}'; {commands}"), &site.data_dir()).await;

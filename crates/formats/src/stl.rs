@@ -142,6 +142,10 @@ impl Soup {
             }
             file.notes.push("the file ends without endsolid; its surface is closed".to_owned());
         }
+        let n_left_out = n_corners / 3 - file.mesh.n_faces();
+        if n_left_out > 0 {
+            file.notes.push(format!("{n_left_out} facets without area, or stated twice, were left out"));
+        }
         file.notes.extend(notes);
         if let Some(unit) = unit {
             file.scale(unit)?;

@@ -9,17 +9,17 @@ use homolog_contract::parameters::{Algorithm, Bending, DisplacementMode, Feature
 const BYTES_PER_VERTEX: u64 = 640;
 
 /// Memory of a displacement field besides the levels, bytes: its functions, and their matrices.
-const BYTES_OF_FIELD: u64 = 6 << 20;
+const BYTES_OF_FIELD: u64 = 14 << 20;
 
 /// Memory of a displacement field for each vertex of the level that it is fitted on, bytes.
 const BYTES_PER_FITTED_VERTEX: u64 = 500;
 
 /// Memory of a displacement field for each vertex of the source: its images, and the levels and images of the source
 /// at the size of the target. Always counted, as the numbers of vertices do not show whether sizes differ.
-const BYTES_PER_MOVED_VERTEX: u64 = 1800;
+const BYTES_PER_MOVED_VERTEX: u64 = 2700;
 
 /// Memory of a displacement field for each vertex of the target, bytes.
-const BYTES_PER_TARGET_VERTEX: u64 = 100;
+const BYTES_PER_TARGET_VERTEX: u64 = 500;
 
 /// Memory of a source that has a level of its own for the field, bytes.
 const BYTES_OF_MIDDLE: u64 = 5 << 20;

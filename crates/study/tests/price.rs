@@ -115,7 +115,6 @@ fn the_price_of_a_match_is_near_what_it_takes() {
         ([4, 4], method("thesis")),
         ([4, 3], iterated(json!({}))),
         ([3, 3], iterated(json!({"update": "full", "max_iterations": 15}))),
-        ([3, 3], iterated(json!({"schedule": "residual", "max_iterations": 60}))),
         ([2, 2], iterated(json!({"lower_bound_iterations": 100}))),
         ([3, 3], iterated(json!({"lower_bound_iterations": 50}))),
         ([4, 4], described(json!({"kind": "shot", "support": 1}))),

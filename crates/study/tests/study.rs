@@ -386,7 +386,7 @@ fn texts_of_users_are_no_markup_of_the_report() {
     let contrasts = &found.statistics.as_ref().unwrap().design.contrasts;
     assert_eq!(contrasts.len(), 2);
     for (map, contrast) in data["maps"].as_array().unwrap().iter().zip(contrasts) {
-        assert!(map["title"].as_str().unwrap().starts_with(&contrast.name));
+        assert!(map["legend"].as_str().unwrap().starts_with(&contrast.name));
         assert!(contrast.meaning.contains(MARKUP) && page.contains(&escaped(&contrast.meaning)));
     }
     assert!(page.contains("decided: seen &lt;/script&gt;&lt;meta/http-equiv"), "the reason of the decision");

@@ -356,9 +356,11 @@ fn effects(study: &Study, found: &Findings) -> String {
         header.extend(["g there", "q (FDR) below 0.05"]);
     }
     html.push_str(&table(&header, &rows, "free"));
-    html.push_str(
-        "<p class=\"hint\">Of the surface below 0.05: share of the area. Effect and g there: where that value is smallest, and of \
-         equal ones where the effect is largest.</p>\n",
+    let there = if statistics.longitudinal { "Effect there" } else { "Effect and g there" };
+    let _ = writeln!(
+        html,
+        "<p class=\"hint\">Of the surface below 0.05: share of the area. {there}: where that value is smallest, and of equal ones \
+         where the effect is largest.</p>"
     );
     for measure in &statistics.left_out {
         let _ = write!(html, "<p class=\"hint\">{} is not meaningful here: a surface is open.</p>", measure.name());

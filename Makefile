@@ -4,7 +4,7 @@
 #                  pair; KEEP=1: leave the service running
 #   test           the tests, but for the campaigns below; lists what it skipped and why; HOMOLOG_REAL_DATA=dir: the folder of
 #                  real data (data/ unless set)
-#   check          words, packages, public items, formatting, lints, documentation, unused dependencies, licenses and sources
+#   check          words, packages, formatting, lints, documentation, unused dependencies, licenses and sources
 #   api            regenerate api/ and docs/parameters.md
 #   client         target/wheels: the Python package with this machine's program in it
 #   dashboard      build the page of the dashboard, dashboard/dist, with node
@@ -23,7 +23,7 @@
 #
 # Before a release
 #   msrv           build with the oldest supported toolchain, which Cargo.toml states; needs rustup
-#   public-api     write the public items of the library crates into api/rust, which `make check` compares
+#   public-api     write the public items of the library crates into api/rust; `scripts/public-api check` compares
 #   advisories     known vulnerabilities of dependencies; needs the internet
 #   sbom           software bill of materials, target/homolog.cdx.json (CycloneDX)
 #   screenshots    the pictures in docs/dashboard, by the tests in a browser; TEST=batch: only the test of that name
@@ -105,7 +105,6 @@ check:
 	@scripts/setup check
 	scripts/words
 	scripts/packages
-	scripts/public-api check
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
 	$(CARGO) clippy --locked -p homolog-matching -- -D warnings

@@ -25,8 +25,6 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 const ISOLATED: [&str; 2] = ["--isolation", "process"];
-/// Longest wait for something immediate, on a loaded machine.
-
 /// Processes whose parent is this one.
 fn children(parent: u32) -> Vec<u32> {
     let of = |entry: fs::DirEntry| {

@@ -713,11 +713,11 @@ test("a batch, worst first, and the state of the queue", async () => {
   for (let k = 2; k < 8; k++) {
     const out = join(h.folder, `subject-${k}`);
     h.run("phantom", "--subject", String(k), "--kind", "surface", "--edge", "1.6", "--rotate-seed", String(k), "--out", out);
-    subjects.push({ mesh_id: await upload(open, join(out, "source.ply")), external_ref: `sub-0${k}` });
+    subjects.push({ input: { mesh_id: await upload(open, join(out, "source.ply")) }, external_ref: `sub-0${k}` });
   }
   const ball = join(h.folder, "ball.obj");
   writeFileSync(ball, sphere());
-  subjects.push({ mesh_id: await upload(open, ball), external_ref: "sub-ball" });
+  subjects.push({ input: { mesh_id: await upload(open, ball) }, external_ref: "sub-ball" });
   const body = JSON.parse(readFileSync(new URL("../../api/examples/batch_submission.json", import.meta.url)));
   const batch = await json(open, "batches", sent({ ...asTemplate(body, template, subjects), external_ref: "wave-2", tags: { study: "demo" } }));
   const page = await h.tab();

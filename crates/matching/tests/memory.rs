@@ -119,7 +119,6 @@ fn assert_predicted(cases: &[Case]) {
         let (predicted, counted) = taken(*levels, request, &pool);
         let share = predicted as f64 / counted as f64;
         let line = format!("{levels:?} {request}: predicted {predicted}, counted {counted}, {share:.2}");
-        println!("{line}");
         if share < 1.0 || (share > 2.0 && predicted >= SMALL) {
             missed.push(line);
         }

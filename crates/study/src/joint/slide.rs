@@ -110,7 +110,7 @@ impl Slidable {
         (found.point, found.blend(|k| self.normals[k]))
     }
 
-    /// The vertices of `template` at `from` after a step, back on the surface, as far as [`guarded`] allows it. A vertex
+    /// The vertices of `template` at `from` after a step, back on the surface, as far as the guards allow it. A vertex
     /// does not move to a sheet of the surface that looks the other way.
     pub(super) fn slide(
         &self,

@@ -21,9 +21,11 @@ use crate::pair::assignment::{comparison_kernel, displaced};
 use crate::poses::compared::{ComparedPose, Finer};
 use homolog_primitives::points::FarthestPoints;
 use homolog_registration::alignment::{OrientedPoints, point_misfits};
+use homolog_registration::deformation::HeightEvidence;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// Patches per surface.
 const PATCHES: usize = 64;
@@ -170,14 +172,19 @@ struct End {
     /// The vertices of the source there, and their rigid part.
     moved: Vec<Point3<f64>>,
     pose: RigidTransform,
+    /// Its deformation, once it has been compared; the chosen end is compared with several.
+    deformation: OnceLock<Option<HeightEvidence>>,
 }
 
 impl End {
+    fn deformation(&self, displacement: &Displacement<'_>) -> Option<&HeightEvidence> {
+        self.deformation.get_or_init(|| deformation_evidence(displacement, &self.moved, &self.pose)).as_ref()
+    }
+
     /// Whether this end is better than `other` by what both leave unexplained and by their deformations together.
     fn is_distinct_from(&self, other: &End, displacement: &Displacement<'_>) -> bool {
-        let of = |end: &End| deformation_evidence(displacement, &end.moved, &end.pose);
-        let lead = match rayon::join(|| of(self), || of(other)) {
-            (Some(own), Some(other)) => lead(&own, &other, resolution_mm(displacement)),
+        let lead = match rayon::join(|| self.deformation(displacement), || other.deformation(displacement)) {
+            (Some(own), Some(other)) => lead(own, other, resolution_mm(displacement)),
             _ => 0.0,
         };
         is_distinct(other.unexplained.excess_over(&self.unexplained), lead)
@@ -206,7 +213,7 @@ fn unexplained_finely(displacement: &Displacement<'_>, candidate: &Candidate) ->
     let moved = fine.moved();
     let pose = pose_of(displacement, &moved, &candidate.pose);
     let unexplained = unexplained(displacement, &moved, candidate.compared.mirrored);
-    Ok(unexplained.map(|unexplained| End { unexplained, moved, pose }))
+    Ok(unexplained.map(|unexplained| End { unexplained, moved, pose, deformation: OnceLock::new() }))
 }
 
 /// Unexplained residual with the vertices of the source at `moved`; `mirrored`: whether the pose mirrors the source.

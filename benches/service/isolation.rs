@@ -23,9 +23,12 @@ pub(crate) async fn price(scale: Scale) {
     );
     pairs::say_parameters();
     let (template, subjects) = pairs::template_and_subjects(n_subjects, n_vertices);
-    println!("| round | processes, s | threads, s | ratio | service with processes, max MiB | with threads, max MiB |");
-    println!("|---|---|---|---|---|---|");
+    println!(
+        "| round | processes, s | threads, s | ratio | processes, processor s | threads, processor s | ratio | service with processes, max MiB | with threads, max MiB |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
     let mut all: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
+    let mut processor: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
     for round in 1..=n_rounds {
         let mut mib = [0.0; 2];
         for (way, isolation) in WAYS.into_iter().enumerate() {
@@ -41,15 +44,26 @@ pub(crate) async fn price(scale: Scale) {
                 ids.push(json!({"input": {"mesh_id": id}}));
             }
             let batch = json!({"template": {"mesh_id": template_id}, "subjects": ids, "parameters": parameters()});
+            let before = node.processor_s();
             all[way].push(makespan_s(&run_batch(&mut client, &batch).await));
+            processor[way].push(node.processor_s() - before);
             mib[way] = node.status_mib("VmHWM");
         }
-        let [processes, threads] = [0, 1].map(|way| all[way].last().copied().unwrap_or(f64::NAN));
-        let ratio = processes / threads;
-        println!("| {round} | {processes:.1} | {threads:.1} | {ratio:.3} | {:.0} | {:.0} |", mib[0], mib[1]);
+        let last = |of: &[Vec<f64>; 2]| [0, 1].map(|way| of[way].last().copied().unwrap_or(f64::NAN));
+        let ([a, b], [c, d]) = (last(&all), last(&processor));
+        println!(
+            "| {round} | {a:.1} | {b:.1} | {:.3} | {c:.1} | {d:.1} | {:.3} | {:.0} | {:.0} |",
+            a / b,
+            c / d,
+            mib[0],
+            mib[1]
+        );
     }
-    let [processes, threads]: [f64; 2] = all.map(|taken| Latencies::new(taken).ms(0.5) / 1e3);
-    println!("\nRatio of the medians: {:.3}.\n", processes / threads);
+    let ratio = |of: [Vec<f64>; 2]| {
+        let [processes, threads] = of.map(|taken| Latencies::new(taken).ms(0.5));
+        processes / threads
+    };
+    println!("\nRatio of the medians: {:.3}; of the medians of processor time: {:.3}.\n", ratio(all), ratio(processor));
     single(scale).await;
 }
 

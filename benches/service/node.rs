@@ -22,6 +22,9 @@ const IS_NODE: &str = "SERVICE_BENCH_NODE";
 /// Environment variable: number of threads that compute beside the service, at normal priority.
 pub(crate) const SPINNERS: &str = "SERVICE_BENCH_SPINNERS";
 
+/// Ticks of processor times in `/proc`: `USER_HZ` of Linux on x86-64 and ARM.
+const TICKS_A_SECOND: f64 = 100.0;
+
 /// A process of the service; killed when dropped.
 pub(crate) struct Node {
     process: Child,
@@ -66,6 +69,42 @@ impl Node {
         let status = std::fs::read_to_string(format!("/proc/{}/status", self.process.id())).unwrap();
         let line = status.lines().find(|l| l.starts_with(&format!("{name}:"))).unwrap();
         line.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap() / 1024.0
+    }
+
+    /// Processor time of the node and its descendants, ended ones too, s. Unlike the time of a clock it hardly depends
+    /// on what else the machine does.
+    pub(crate) fn processor_s(&self) -> f64 {
+        let processes: Vec<ProcessStat> = std::fs::read_dir("/proc")
+            .unwrap()
+            .filter_map(|entry| ProcessStat::read(entry.ok()?.file_name().to_str()?.parse().ok()?))
+            .collect();
+        let mut counted = vec![self.process.id()];
+        let mut ticks = 0;
+        while let Some(id) = counted.pop() {
+            ticks += processes.iter().filter(|p| p.id == id).map(|p| p.ticks).sum::<u64>();
+            counted.extend(processes.iter().filter(|p| p.parent == id).map(|p| p.id));
+        }
+        ticks as f64 / TICKS_A_SECOND
+    }
+}
+
+/// A line of `/proc/<pid>/stat`.
+struct ProcessStat {
+    id: u32,
+    parent: u32,
+    /// Processor time of the process and of its children that have ended.
+    ticks: u64,
+}
+
+impl ProcessStat {
+    /// `None` if the process has ended.
+    fn read(id: u32) -> Option<ProcessStat> {
+        let stat = std::fs::read_to_string(format!("/proc/{id}/stat")).ok()?;
+        let (_, after_name) = stat.rsplit_once(')')?;
+        let fields: Vec<&str> = after_name.split_whitespace().collect();
+        let number = |k: usize| fields.get(k)?.parse::<u64>().ok();
+        let ticks = (11..15).map(number).sum::<Option<u64>>()?;
+        Some(ProcessStat { id, parent: u32::try_from(number(1)?).ok()?, ticks })
     }
 }
 

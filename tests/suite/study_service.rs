@@ -2,6 +2,7 @@
 
 use super::cli::homolog;
 use super::faults::site::{Backend, Program, Site};
+use super::process::ENDLESS;
 use super::studies::{OPTIONS, cohort, contents, study};
 use reqwest::blocking::{Client, Response};
 use serde_json::{Value, json};
@@ -394,6 +395,34 @@ fn a_study_is_that_of_the_command_whatever_happens_to_its_processes() {
 #[ignore = "needs PostgreSQL"]
 fn a_study_is_that_of_the_command_on_postgres() {
     equal_to_the_command_whatever_happens(Backend::Postgres);
+}
+
+#[test]
+fn a_study_that_fails_says_why_of_itself_and_of_each_subject() {
+    let place = tempfile::tempdir().unwrap();
+    cohort(place.path(), 4);
+    let site = Site::open(Backend::Sqlite);
+    let service = Service::start(&site, &["--workers", "2"]);
+    let subjects: Vec<Value> = (0..4).map(|k| subject(&service, place.path(), k)).collect();
+    let mut body = asked(subjects);
+    // No match ends within its time, so there is nothing to build a model from.
+    body["parameters"] = serde_json::from_str(ENDLESS).unwrap();
+    body["max_run_s"] = json!(1);
+    let sent = service.post("/v1/studies", &body);
+    assert_eq!(sent.status(), 202, "{}", sent.text().unwrap());
+    let path = format!("/v1/studies/{}", sent.json::<Value>().unwrap()["id"].as_str().unwrap());
+    let study = service.until(&path, |_| false);
+    assert_eq!(study["state"], "failed", "{study}");
+    let said = |of: &Value| of.as_str().unwrap_or_default().to_owned();
+    assert!(!said(&study["error"]["detail"]).is_empty() && !said(&study["error"]["type"]).is_empty(), "{study}");
+    let rows = service.get(&format!("{path}/subjects"));
+    let rows = rows["subjects"].as_array().unwrap();
+    assert_eq!(rows.len(), 4);
+    let failed: Vec<&Value> = rows.iter().filter(|row| row["state"] == "failed").collect();
+    assert!(!failed.is_empty(), "{rows:?}");
+    for row in failed {
+        assert!(said(&row["reason"]).contains("1 s") || !said(&row["error"]["detail"]).is_empty(), "{row}");
+    }
 }
 
 #[test]

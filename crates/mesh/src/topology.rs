@@ -57,8 +57,8 @@ pub enum SurfaceFault {
     },
     /// More than two faces meet at an edge.
     #[error(
-        "{n_edges} edges have more than two faces; the first joins vertices {} and {} near {}, with {n_faces} faces",
-        edge[0], edge[1], at(place_mm)
+        "{} more than two faces; the first joins vertices {} and {} near {}, with {n_faces} faces",
+        counted(*n_edges, "edge has", "edges have"), edge[0], edge[1], at(place_mm)
     )]
     NonManifoldEdge {
         /// How many such edges.
@@ -72,8 +72,8 @@ pub enum SurfaceFault {
     },
     /// The surface has a boundary.
     #[error(
-        "the surface is open: {n_edges} edges have only one face; the first joins vertices {} and {} near {}",
-        edge[0], edge[1], at(place_mm)
+        "the surface is open: {} only one face; the first joins vertices {} and {} near {}",
+        counted(*n_edges, "edge has", "edges have"), edge[0], edge[1], at(place_mm)
     )]
     Boundary {
         /// How many boundary edges.
@@ -85,9 +85,8 @@ pub enum SurfaceFault {
     },
     /// Parts of the surface touch at one vertex only.
     #[error(
-        "{n_vertices} vertices join parts that touch nowhere else; the first is vertex {vertex} at {}, \
-         with {n_fans} fans of faces",
-        at(place_mm)
+        "{} parts that touch nowhere else; the first is vertex {vertex} at {}, with {n_fans} fans of faces",
+        counted(*n_vertices, "vertex joins", "vertices join"), at(place_mm)
     )]
     NonManifoldVertex {
         /// How many such vertices.
@@ -101,8 +100,8 @@ pub enum SurfaceFault {
     },
     /// Two neighboring faces disagree in orientation.
     #[error(
-        "{n_edges} edges lie between faces of opposite orientation; the first joins vertices {} and {} near {}",
-        edge[0], edge[1], at(place_mm)
+        "{} between faces of opposite orientation; the first joins vertices {} and {} near {}",
+        counted(*n_edges, "edge lies", "edges lie"), edge[0], edge[1], at(place_mm)
     )]
     Misoriented {
         /// How many such edges.
@@ -157,6 +156,11 @@ pub enum SurfaceFault {
         /// Enclosed volume, mm³, negative.
         volume_mm3: f64,
     },
+}
+
+/// A number with its noun and verb.
+fn counted(n: u32, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
 }
 
 fn at(place: &[f64; 3]) -> String {

@@ -27,7 +27,7 @@ const PAGE_COPIES: u64 = 6;
 /// Memory of a subject besides its points, bytes: names, facts, findings, rows of tables.
 const SUBJECT: u64 = 16 << 10;
 /// Memory of a map besides its values, bytes: the heads of its arrays in two files.
-const MAP: u64 = 16 << 10;
+const MAP: u64 = 24 << 10;
 /// Memory of a cell of the subject table with all its copies, bytes: as text in maps and in columns, and as value.
 const CELL: u64 = 512;
 /// Scratch of compressors and of decompositions on each thread, bytes.
@@ -68,12 +68,12 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let surfaces = times(&[12, surface]) + 300 * v;
     // Per thread: a record and its points, the surface bent onto a subject, and its index of closest points.
     let of_threads = times(&[t, SCRATCH + 120 * v + 3 * surface + 160 * f + times(&[6, volume_bytes(size)])]);
-    let held = sum(&[records, table, surfaces, of_threads]);
+    let held = sum(&[records, table, surfaces]);
 
     let aligned = times(&[ALIGNED.min(n), 60 * v]);
     // A block twice; the matrix of inner products, its parts and components, and on each thread those without some
     // subjects.
-    let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[8, n, n, 6 + 8 * t])]);
+    let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[8, n, n, 4 + 5 * t])]);
     let of_modes = times(&[modes, 24 * v]);
     let model = sum(&[aligned, gram, of_modes]);
     let joint = if size.joint { joint_bytes(size, t) } else { 0 };
@@ -95,10 +95,12 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
         times(&[maps, written + 11 * array + MAP]),
         times(&[n, SUBJECT]),
     ]);
-    let writing = sum(&[files, page, kept, of_modes, times(&[t, 2 * written + 11 * array])]);
+    let writing = sum(&[files, page, kept, of_modes, times(&[t, SCRATCH + 2 * written + 11 * array])]);
     // The archive has every file, and the records.
     let archive = sum(&[times(&[2, files]), page / PAGE_COPIES, records]);
-    sum(&[held, model.max(statistics).max(writing).max(archive).max(joint)])
+    // Subjects are read before anything is written.
+    let computing = of_threads + model.max(statistics).max(joint);
+    sum(&[held, computing.max(writing).max(archive)])
 }
 
 /// Memory of joint maps on `t` threads besides the records, bytes.

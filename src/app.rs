@@ -305,6 +305,12 @@ impl App {
                 Ok(_) => {}
                 Err(error) => tracing::warn!(%error, "whether API keys exist is not known"),
             }
+        } else if http.oidc_issuer.is_none()
+            && matches!(self.stores[0].list_keys().await, Ok(keys) if !keys.iter().any(|key| key.is_valid))
+        {
+            tracing::warn!(
+                "no valid API key exists, so every request is answered with 401; 'homolog keys create' creates one"
+            );
         }
         let state = self.http_state(&self.stores[0], &http, &service, auth, shutdown);
         let webhooks = WebhookDelivery::new(Arc::new(self.stores[0].clone()), http.webhook_delivery_settings());

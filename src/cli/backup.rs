@@ -10,19 +10,19 @@ use crate::store::backup::{self, BackupError, Manifest};
 use crate::store::sql::SqlStore;
 use std::path::PathBuf;
 
-/// Back up a service on SQLite into a folder, while it runs; a further back-up into the same folder copies only what is new
+/// Back up a service on SQLite into a folder, while it runs; a further backup into the same folder copies only what is new
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct BackupArgs {
-    /// Folder of the back-up
+    /// Folder of the backup
     dir: PathBuf,
     #[command(flatten)]
     service: ServiceSettings,
 }
 
-/// Restore a back-up into a data directory that is empty except for secret.key, and compare every file with its hash
+/// Restore a backup into a data directory that is empty except for secret.key, and compare every file with its hash
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct RestoreArgs {
-    /// Folder of the back-up
+    /// Folder of the backup
     dir: PathBuf,
     #[command(flatten)]
     service: ServiceSettings,
@@ -57,12 +57,12 @@ fn contents(manifest: &Manifest) -> String {
     format!("the database and {n_blobs} files, {n_bytes} bytes, as of {created_at}")
 }
 
-/// Writes a back-up.
+/// Writes a backup.
 pub(super) fn back_up(args: &BackupArgs) -> Result<(), CliError> {
     refuse_servers(&args.service)?;
     require_database(&args.service)?;
     with_store(&args.service, async |store| {
-        // Recorded, because a back-up reads everything.
+        // Recorded, because a backup reads everything.
         record(store, "back_up", None, None).await?;
         let keyring = app::open_keyring(&args.service).map_err(|error| CliError::Failed(error.to_string()))?;
         let manifest = backup::back_up(store, &args.service.data_dir, &args.dir, keyring).await?;
@@ -74,7 +74,7 @@ pub(super) fn back_up(args: &BackupArgs) -> Result<(), CliError> {
     })
 }
 
-/// Restores a back-up.
+/// Restores a backup.
 pub(super) fn restore(args: &RestoreArgs) -> Result<(), CliError> {
     refuse_servers(&args.service)?;
     let mut restored = Ok(String::new());

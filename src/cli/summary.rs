@@ -96,10 +96,10 @@ fn verdict(result: &ResultDocument) -> String {
 /// The energy before and after its minimization, and the energy of the answer where a displacement field changed the
 /// assignment.
 fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
-    let chosen = result.rounds.iter().find(|round| round.chosen);
-    let minimized = chosen.map_or(e.r#final, |round| round.energy);
+    let minimized = result.rounds.iter().map(|round| round.energy).fold(f64::INFINITY, f64::min);
+    let minimized = if minimized.is_finite() { minimized } else { e.r#final };
     let iterations: u32 = result.rounds.iter().map(|round| round.iterations).sum();
-    let mut text = format!("{:.2}, minimized to {minimized:.2}", e.initial);
+    let mut text = format!("{:.2} at the start, {minimized:.2} after minimization", e.initial);
     let _ = match result.rounds.len() {
         0 => Ok(()),
         1 => write!(text, " in {iterations} iterations"),
@@ -108,10 +108,8 @@ fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
     if result.stop_reason == StopReason::TargetReached {
         text.push_str(", the target");
     }
-    // The increase by the displacement field is the price of a smooth map.
-    if (e.r#final - minimized).abs() > 0.005 {
-        let _ = write!(text, "; {:.2} for the smooth map of the answer", e.r#final);
-    }
+    // Above the minimum, because the map of the answer is also smooth and lies on the surface.
+    let _ = write!(text, "; {:.2} for the answer, {:.2} per variable", e.r#final, e.per_variable);
     if let Some(bound) = e.lower_bound {
         let _ = write!(text, "; no assignment is below {bound:.2}");
     }

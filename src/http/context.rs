@@ -98,7 +98,7 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
         if let Some(recording) = recording {
             response = recording.end(response).await;
         }
-        let elapsed_ms = began.elapsed().as_millis();
+        let elapsed_ms = u64::try_from(began.elapsed().as_millis()).unwrap_or(u64::MAX);
         let (tenant, key_id) = (caller.tenant(), caller.key_id());
         tracing::info!(status = response.status().as_u16(), elapsed_ms, tenant, key_id, "answered");
         // Every label comes from a closed set, because requests are counted before they are authenticated: the methods

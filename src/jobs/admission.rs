@@ -12,7 +12,7 @@ pub struct Admission {
     pub max_queued: u32,
     /// The name under which the inputs' blobs are held; the hold is released when the jobs are stored.
     pub holder: String,
-    /// How long the result is kept of a job that shares that of an equal job at once; for ever if `None`.
+    /// Retention of a result that is taken from an equal job at submission; forever if `None`.
     pub keep_result: Option<Duration>,
     /// The idempotency key of the submission; what was created is recorded under it in the same transaction.
     pub once: Option<Once>,

@@ -6,7 +6,7 @@
 use super::job::JobId;
 use tokio::sync::{Mutex, Notify, broadcast};
 
-/// Signals kept for a receiver that falls behind; one that misses some queries the store instead.
+/// Signals kept for a receiver that falls behind; a receiver that missed signals queries the store.
 const KEPT: usize = 256;
 
 /// The signals of one process.
@@ -14,7 +14,7 @@ const KEPT: usize = 256;
 pub struct Signals {
     /// A job was queued.
     pub queued: Notify,
-    /// Held by what plans the next jobs of a study: a process has the definition of one at a time in memory for that.
+    /// Held while a study is planned, so that only one study definition is in memory at a time.
     pub planning: Mutex<()>,
     moved: broadcast::Sender<JobId>,
 }

@@ -60,7 +60,7 @@ impl StudyProgression {
         first
     }
 
-    /// Goes on with a study as far as it can.
+    /// Advances a study as far as possible.
     ///
     /// # Errors
     /// Those of the stores.
@@ -115,7 +115,7 @@ impl StudyProgression {
         StudyChange { state, error, keep, step: None, ..StudyChange::of(study) }
     }
 
-    /// A further step; what was matched until now is there before.
+    /// Starts the next step; tasks matched so far count as done.
     async fn begin_step(&self, study: &Study, state: StudyState) -> Result<StudyChange, JobError> {
         let _alone = self.signals.planning.lock().await;
         let definition = self.definition(study).await?;

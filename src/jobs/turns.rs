@@ -17,7 +17,7 @@ impl TenantWeights {
         self.0.get(tenant).copied().unwrap_or(1)
     }
 
-    /// These weights; the last one counts of a tenant that is given twice.
+    /// These weights; if a tenant is given twice, its last weight counts.
     pub fn new(weights: impl IntoIterator<Item = TenantWeight>) -> Self {
         TenantWeights(weights.into_iter().map(|TenantWeight(tenant, weight)| (tenant, weight)).collect())
     }

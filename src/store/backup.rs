@@ -1,12 +1,12 @@
 //! Back-up and restore of a service on SQLite and a folder of blobs, while the service runs.
 //!
-//! A back-up is a folder that contains `blobs`, as in the data directory, a copy of the database, and `backup.json`,
-//! which names that copy and is replaced last, so an interrupted back-up leaves the previous one intact. The content of
-//! a blob never changes, but a rotation of keys writes an encrypted blob again, with the same length. A further back-up
+//! A backup is a folder that contains `blobs`, as in the data directory, a copy of the database, and `backup.json`,
+//! which names that copy and is replaced last, so an interrupted backup leaves the previous one intact. The content of
+//! a blob never changes, but a rotation of keys writes an encrypted blob again, with the same length. A further backup
 //! into the same folder therefore copies blobs that are new or differ. Blobs are copied before the database and once
 //! more after it, so every blob to which the copied database refers is present.
 //!
-//! A back-up makes the same comparisons as [`restore`], so it succeeds only if it can be restored.
+//! A backup makes the same comparisons as [`restore`], so it succeeds only if it can be restored.
 
 use super::artifacts::sealed::{FOOTER, is_sealed_blob, sealed_size};
 use super::artifacts::{FolderArtifacts, SealedArtifacts};
@@ -21,20 +21,20 @@ use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The file that describes a back-up.
+/// The file that describes a backup.
 const MANIFEST: &str = "backup.json";
-/// The folder of blobs, in the data directory and in a back-up.
+/// The folder of blobs, in the data directory and in a backup.
 const BLOBS: &str = "blobs";
 /// The file of the database in its folder.
 const DATABASE: &str = "homolog.sqlite";
 /// The folder in which a copy of the database is prepared and checked.
 const DRAFT: &str = "next";
-/// The only file that a data directory may contain before a restore; it is kept apart from back-ups.
+/// The only file that a data directory may contain before a restore; it is kept apart from backups.
 const SECRET_KEY: &str = "secret.key";
 /// How often the database is copied again because a blob was created and deleted during the copy.
 const TRIES: u32 = 3;
 
-/// The description of a back-up.
+/// The description of a backup.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
     /// Version of the program that wrote it.
@@ -51,7 +51,7 @@ pub struct Manifest {
     pub n_bytes: u64,
 }
 
-/// Why a back-up is not written or not restored.
+/// Why a backup is not written or not restored.
 #[derive(Debug, thiserror::Error)]
 pub enum BackupError {
     /// The database does not answer.
@@ -65,21 +65,21 @@ pub enum BackupError {
         /// The cause.
         error: io::Error,
     },
-    /// The folder for a back-up holds something else.
-    #[error("{} holds something that is no back-up; choose an empty folder", .0.display())]
+    /// The folder for a backup holds something else.
+    #[error("{} holds something that is no backup; choose an empty folder", .0.display())]
     NotABackup(PathBuf),
-    /// The folder to restore from holds no back-up.
-    #[error("{} holds no back-up: there is no backup.json", .0.display())]
+    /// The folder to restore from holds no backup.
+    #[error("{} holds no backup: there is no backup.json", .0.display())]
     NoBackup(PathBuf),
     /// The data directory is in use or was used.
     #[error("{} is not empty; restore into an empty data directory, which may hold secret.key alone", .0.display())]
     NotEmpty(PathBuf),
     /// A file differs from what was written.
-    #[error("{} is damaged; use another back-up", .0.display())]
+    #[error("{} is damaged; use another backup", .0.display())]
     Damaged(PathBuf),
     /// Encrypted blobs cannot be compared with their hashes.
     #[error(
-        "the blobs of this back-up are encrypted; give their key with --encryption-key-file or --encryption-key-command"
+        "the blobs of this backup are encrypted; give their key with --encryption-key-file or --encryption-key-command"
     )]
     Encrypted,
     /// Blobs are missing.
@@ -110,10 +110,10 @@ async fn blocking<T: Send + 'static>(
 /// compared with their hashes; without it, only with the blobs of the service.
 ///
 /// # Errors
-/// [`BackupError`]; the description of the previous back-up then remains.
+/// [`BackupError`]; the description of the previous backup then remains.
 ///
 /// # Cost
-/// Reads every blob of the back-up, and the new or encrypted blobs of the service.
+/// Reads every blob of the backup, and the new or encrypted blobs of the service.
 pub async fn back_up(
     store: &SqlStore,
     data_dir: &Path,
@@ -183,7 +183,7 @@ async fn checked(folder: &Path, data: &Path) -> Result<Counted, BackupError> {
     found
 }
 
-/// Creates the folder of a back-up; refuses a folder that holds something else.
+/// Creates the folder of a backup; refuses a folder that holds something else.
 fn prepare(folder: &Path) -> Result<(), BackupError> {
     private_files::create_dir_all(folder).map_err(at(folder))?;
     let is_empty = fs::read_dir(folder).map_err(at(folder))?.next().is_none();
@@ -236,7 +236,7 @@ fn publish(database: &Path, to: &Path, (n_blobs, n_bytes): Counted) -> Result<Ma
     Ok(manifest)
 }
 
-/// Restores the back-up in `from` into a data directory that is empty or does not exist. Every blob is compared with
+/// Restores the backup in `from` into a data directory that is empty or does not exist. Every blob is compared with
 /// its hash; encrypted blobs are decrypted with `keyring` for the comparison.
 ///
 /// # Errors

@@ -102,7 +102,7 @@ pub(crate) async fn execute(
     {
         tracing::warn!(study_id = %study, error = %with_sources(&error), "a study goes on later");
     }
-    let elapsed_ms = began.elapsed().as_millis();
+    let elapsed_ms = u64::try_from(began.elapsed().as_millis()).unwrap_or(u64::MAX);
     tracing::info!(job_id = %lease.job_id, epoch, elapsed_ms, end, "job ended");
     span.set("homolog.end", Fact::Word(end));
     if end != "succeeded" && end != "cancelled" {

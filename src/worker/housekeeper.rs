@@ -72,7 +72,9 @@ impl Housekeeper {
                 if recovered.total() > 0 {
                     tracing::warn!(
                         worker = process.worker().name(),
-                        ?recovered,
+                        queued = recovered.queued,
+                        cancelled = recovered.cancelled,
+                        dead = recovered.dead,
                         "jobs of a lost process are taken back"
                     );
                 }
@@ -83,9 +85,10 @@ impl Housekeeper {
         }
         let recovered = self.store.recover_expired().await?;
         if recovered.total() > 0 {
-            tracing::warn!(?recovered, "jobs whose leases ran out are taken back");
-            metrics::counter!("homolog_leases_expired_total").increment(recovered.total().into());
+            let (queued, cancelled) = (recovered.queued, recovered.cancelled);
+            tracing::warn!(queued, cancelled, dead = recovered.dead, "jobs whose leases ran out are taken back");
         }
+        metrics::counter!("homolog_leases_expired_total").increment((total + recovered.total()).into());
         metrics::counter!("homolog_jobs_dead_total").increment((dead + recovered.dead).into());
         Ok(total + recovered.total())
     }

@@ -27,6 +27,8 @@ impl ResultDocument {
     pub fn verdict(&self) -> Verdict {
         let found = self.reliability.as_ref();
         let mut reasons = found.map(|found| found.reasons.clone()).unwrap_or_default();
+        // The commonest cause is named first: a mirror image also looks like another structure.
+        reasons.sort_by_key(|reason| *reason != UnreliableReason::OtherHandedness);
         for reason in self.warnings.iter().filter_map(|warning| warning.reason) {
             if !reasons.contains(&reason) {
                 reasons.push(reason);
@@ -98,8 +100,8 @@ impl Verdict {
     pub fn distance(&self) -> String {
         let SurfaceDistanceDocument { mean_mm, p95_mm, max_mm } = self.surface_distance;
         format!(
-            "After rigid registration the surfaces are {mean_mm:.2} mm apart on average; 95 % of the vertices are within \
-             {p95_mm:.2} mm, all within {max_mm:.2} mm."
+            "After the rigid transform alone the surfaces are {mean_mm:.2} mm apart on average; 95 % of the vertices are within \
+             {p95_mm:.2} mm, all within {max_mm:.2} mm. This is not the error of the correspondence."
         )
     }
 }

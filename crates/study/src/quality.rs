@@ -37,6 +37,8 @@ impl Flag {
 
 /// Robust deviations from the median beyond which a value is unusual.
 const UNUSUAL: f64 = 3.5;
+/// Largest deviation that counts in the order of urgency, so that classes of subjects do not overlap.
+const MOST_DEVIATION: f64 = 1e6;
 /// Share of turned triangles below which no map is flagged.
 const FEW_FOLDS: f64 = 0.005;
 
@@ -59,8 +61,8 @@ pub fn deviations(values: &[f64]) -> Vec<f64> {
 
 /// The largest of the deviations that may raise a flag, so that flagged subjects come before all others; unreliable ones come first.
 fn urgency(deviations: [f64; 4], is_unreliable: bool) -> f64 {
-    let largest = deviations.into_iter().fold(f64::NEG_INFINITY, f64::max);
-    if is_unreliable { largest + 1000.0 } else { largest }
+    let largest = deviations.into_iter().fold(f64::NEG_INFINITY, f64::max).min(MOST_DEVIATION);
+    if is_unreliable { largest + MOST_DEVIATION } else { largest }
 }
 
 /// Flags every subject, and computes its urgency.
@@ -92,7 +94,7 @@ pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
         subject.urgency = urgency([residual[row], shape[row], size[row].abs(), folds], unreliable);
     }
     for subject in subjects.iter_mut().filter(|subject| subject.place == Place::Failed) {
-        (subject.flags, subject.urgency) = (vec![Flag::NoMatch], 1e6);
+        (subject.flags, subject.urgency) = (vec![Flag::NoMatch], 2.0 * MOST_DEVIATION + 1.0);
     }
 }
 

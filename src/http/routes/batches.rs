@@ -237,6 +237,10 @@ async fn take(
             inputs.pairs(subjects, |inputs, number, subject| inputs.subject(number, subject, template))
         }
         (None, true, false) if template_as.is_none() => inputs.pairs(pairs, Inputs::pair),
+        (Some(_), true, true) => {
+            let error = FieldError::new("/subjects", "invalid-value", "must not be empty");
+            return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[error]));
+        }
         _ => {
             let detail = "either template and subjects, or pairs is required; template_as belongs to the former";
             return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new("", "missing", detail)]));

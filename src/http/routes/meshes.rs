@@ -31,7 +31,7 @@ use http_body_util::BodyExt;
 ///
 /// Send the file as the raw body (with `?file_name=` if the bytes alone do not tell the format), or as the field `file` of a
 /// multipart form. The id is the hash of the content: uploading the same bytes again answers 200 with the existing upload.
-/// The answer says whether the file can be matched with default parameters. It is kept also if it cannot, because other
+/// The answer says whether the file can be matched with default parameters. The file is kept even if it cannot, because other
 /// parameters may allow repairs.
 #[utoipa::path(
     post, path = "/v1/meshes", tag = "meshes", operation_id = "upload_mesh",
@@ -319,7 +319,7 @@ pub(crate) async fn content(
 
 /// Get the surface of an upload
 ///
-/// What there is to look at before a job is submitted: the surface that would be matched with default parameters, made from
+/// A preview before a job is submitted: the surface that would be matched with default parameters, made from
 /// the labels of a volume or repaired as far as is harmless. Of a mesh that cannot be matched, the surface as it is in the
 /// file, on which `problem.place_mm` of the upload names the place of the first fault.
 #[utoipa::path(

@@ -189,7 +189,7 @@ impl Database {
         let Database::Sqlite { writer, .. } = self else { return Ok(true) };
         let link = Link::Sqlite(Some(writer.acquire().await.map_err(domain_error)?));
         let mut session = Session { link, is_open: false, is_broken: false };
-        // Readers need milliseconds, but a back-up takes minutes, for which no writer should wait.
+        // Readers need milliseconds, but a backup takes minutes, for which no writer should wait.
         session.run(&format!("PRAGMA busy_timeout = {}", CHECKPOINT_TIMEOUT.as_millis())).await?;
         let done = session.fetch("PRAGMA wal_checkpoint(TRUNCATE)".to_owned(), Vec::new()).await;
         session.run(&format!("PRAGMA busy_timeout = {}", SQLITE_TIMEOUT.as_millis())).await?;

@@ -128,7 +128,7 @@ fn did_you_mean(name: Option<&str>) -> String {
 fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let distances = known.map(|known| (strsim::damerau_levenshtein(name, known), known));
     let (distance, nearest) = distances.min()?;
-    (distance <= nearest.len().max(name.len()) / 2).then_some(nearest)
+    (distance <= nearest.len().min(name.len()) / 2).then_some(nearest)
 }
 
 /// The required type of a value that has another type.

@@ -228,7 +228,7 @@ const ON_COMMAND_LINE: [(&str, &str); 6] = [
         "add --label N, by number or name, for each of those of the structure",
     ),
     ("choose labels with input.labels", "choose labels with --label N"),
-    ("(input.labels chooses some)", "(--label N chooses some)"),
+    ("(choose a structure: input.labels, a number or a name)", "(choose a structure: --label NUMBER or NAME)"),
     ("set input.image_is_labels to true", "add --set input.image_is_labels=true"),
     ("lower input.smoothing_mm", "lower --set input.smoothing_mm=X"),
     ("set input.surface to \"voxel\"", "add --set input.surface=voxel"),

@@ -177,7 +177,7 @@ fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool)
     let limit = limits.max_voxels;
     if found > limit {
         let what = if of_all {
-            "voxels in the box around all its labels (input.labels chooses some)"
+            "voxels in the box around all its labels (choose a structure: input.labels, a number or a name)"
         } else {
             "voxels in the box around the structure"
         };
@@ -186,7 +186,7 @@ fn check_size(mask: &VoxelMask, limits: &IntakeLimits, slack: f64, of_all: bool)
     let (found, limit) = (mask.n_boundary_faces() as u64, (slack * limits.max_vertices as f64) as u64);
     if found > limit {
         let what = if of_all {
-            "boundary faces of all its labels together (input.labels chooses some)"
+            "boundary faces of all its labels together (choose a structure: input.labels, a number or a name)"
         } else {
             "boundary faces of the structure"
         };

@@ -269,11 +269,11 @@ fn energy(inputs: &ReportInputs<'_>) -> String {
             ),
         };
     };
-    let minimized =
-        inputs.document.rounds.iter().find(|round| round.chosen).map_or(energy.r#final, |round| round.energy);
+    let lowest = inputs.document.rounds.iter().map(|round| round.energy).fold(f64::INFINITY, f64::min);
+    let minimized = if lowest.is_finite() { lowest } else { energy.r#final };
     format!(
         "<h2>Energy</h2>\n<p>{:.2} where every vertex takes the target vertex that suits it alone, {minimized:.2} after its \
-         minimization, {:.2} for the answer, {:.2} for each of its {} variables; {} target vertices to choose from, no unit, lower is better. The number of iterations is \
+         minimization, {:.2} for the answer, {:.2} for each of its {} variables (the curve has the iterations; conditional modes after the last one lower the energy further); {} target vertices to choose from, no unit, lower is better. The number of iterations is \
          part of the method.</p>\n{}",
         energy.initial,
         energy.r#final,

@@ -79,7 +79,7 @@ fn a_limit_counts_only_the_chosen_labels() {
         prepare_surface(&bytes, None, &parameters, &limits)
     };
     let all = with(json!(null)).unwrap_err().to_string();
-    assert!(all.contains("of all its labels together (input.labels chooses some)"), "{all}");
+    assert!(all.contains("of all its labels together (choose a structure: input.labels, a number or a name)"), "{all}");
     assert!(with(json!(7)).is_ok());
     let boxed = |max_voxels| {
         let parameters = resolve(&json!({"input": {"labels": 7}})).unwrap().input;

@@ -134,7 +134,17 @@ pub(super) fn degrees(study: &Study, found: &Findings) -> String {
         }
         return html;
     }
+    html.push_str(&format!(
+        "<p>With {} permutations no corrected p is below {:.4}.</p>\n",
+        study.settings.analysis.permutations,
+        1.0 / study.settings.analysis.permutations.max(1) as f64
+    ));
+    // With further covariates, residuals differ within a group, so that nearly all orders differ.
+    let has_covariates = !study.settings.analysis.adjust.is_empty();
     let effect = study.settings.analysis.effect.as_ref().and_then(|name| study.cohort.covariate(name));
+    if has_covariates {
+        return html;
+    }
     if let Some(possible) = effect.map(|effect| arrangements(&statistics.design.rows, &effect.values))
         && possible < FEW_PERMUTATIONS
     {

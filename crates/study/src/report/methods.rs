@@ -79,9 +79,10 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
                 .to_owned()
         } else {
             format!(
-                "Standard errors are robust to unequal variances (HC3). The error over the whole surface is controlled by {} \
-                 permutations (Freedman, Lane; seed {}) of the largest threshold-free cluster enhancement of |t| (H = 2, E = 1, \
-                 area of the mean); the false discovery rate by Benjamini and Hochberg from the robust p. Intervals of g \
+                "Standard errors, their p and the false discovery rate are robust to unequal variances (HC3). The error over the \
+                 whole surface is controlled by {} permutations (Freedman, Lane; seed {}) of the largest threshold-free cluster \
+                 enhancement of |t| (H = 2, E = 1, area of the mean), where t is the ordinary one with pooled variance: under the \
+                 null hypothesis residuals are exchangeable; the false discovery rate by Benjamini and Hochberg from the robust p. Intervals of g \
                  are exact under normal residuals of equal variance. {} measures were tested; p-values are not corrected for that.",
                 settings.analysis.permutations,
                 settings.analysis.seed,
@@ -98,7 +99,8 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
     let body: String = paragraphs.iter().map(|text| format!("<p>{text}</p>\n")).collect();
     let parameters = serde_json::to_string_pretty(&settings.parameters).unwrap_or_default();
     format!(
-        "<h2>Methods</h2>\n{body}<details><summary>All parameters of the matches</summary><pre>{0}</pre></details>\n\
+        "<h2>Methods</h2>\n{body}<p>In the parameters, inference and clamping belong to the energy over curvature, which is optional: \
+         none does not switch off the belief propagation over distances along the surface that begins every match.</p>\n<details><summary>All parameters of the matches</summary><pre>{0}</pre></details>\n\
          <p class=\"printed\">All parameters of the matches:</p>\n<pre class=\"printed\">{0}</pre>\n",
         escaped(&parameters)
     )

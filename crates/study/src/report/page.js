@@ -52,7 +52,13 @@
     plot.after(row);
     savers(row, () => plain(plot.getAttribute("aria-label")), () => plot);
   }
-  if (!gl) { by("legend").textContent = "This browser has no WebGL 2, which the view of the surfaces needs."; return; }
+  if (!gl) {
+    const said = document.createElement("p");
+    said.className = "warning";
+    said.textContent = "This browser has no WebGL 2, so the pictures of surfaces, maps and modes are missing here.";
+    canvas.parentElement.before(said);
+    return;
+  }
 
   const vertexShader = `#version 300 es
     in vec3 place; in vec3 move; in float value; in float mark;

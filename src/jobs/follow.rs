@@ -144,7 +144,8 @@ impl Feeds {
         let key = (tenant.clone(), id);
         Ok(self.batches.join(key.clone(), batch, |sender| {
             let moves = self.signals.all_moves();
-            read_batch(Arc::clone(&self.store), key, moves, sender)
+            let store = Arc::clone(&self.store);
+            read_until_end(async move || store.get_batch(&key.0, key.1).await, Batch::is_finished, moves, sender)
         }))
     }
 
@@ -153,7 +154,9 @@ impl Feeds {
         let key = (tenant.clone(), id);
         Ok(self.studies.join(key.clone(), study, |sender| {
             let moves = self.signals.all_moves();
-            read_study(Arc::clone(&self.study_store), key, moves, sender)
+            let store = Arc::clone(&self.study_store);
+            let has_ended = |study: &Study| study.state.is_final();
+            read_until_end(async move || store.get_study(&key.0, key.1).await, has_ended, moves, sender)
         }))
     }
 
@@ -233,61 +236,33 @@ fn is_same(a: &Job, b: &Job) -> bool {
     Job { read_at: b.read_at, ..a.clone() } == *b
 }
 
-async fn read_batch(
-    store: Arc<dyn JobStore>,
-    (tenant, id): (Tenant, BatchId),
+/// Reads a batch or a study whenever something moves, until it has ended or is gone.
+async fn read_until_end<T: PartialEq>(
+    read: impl AsyncFn() -> Result<T, JobError>,
+    has_ended: fn(&T) -> bool,
     mut moves: Moves,
-    sender: watch::Sender<Arc<Batch>>,
+    sender: watch::Sender<Arc<T>>,
 ) {
     loop {
-        match store.get_batch(&tenant, id).await {
-            Ok(batch) => {
-                let is_finished = batch.is_finished();
+        match read().await {
+            Ok(found) => {
+                let ends = has_ended(&found);
                 sender.send_if_modified(|seen| {
-                    let changed = **seen != batch;
-                    *seen = Arc::new(batch);
+                    let changed = **seen != found;
+                    *seen = Arc::new(found);
                     changed
                 });
-                if is_finished {
+                if ends {
                     return;
                 }
             }
-            Err(JobError::BatchNotFound) => return,
+            Err(JobError::BatchNotFound | JobError::StudyNotFound) => return,
             Err(error) => {
-                tracing::debug!(%error, "a followed batch cannot be read now");
+                tracing::debug!(%error, "a followed batch or study cannot be read now");
                 tokio::time::sleep(POLL_FAILING).await;
             }
         }
-        pause_among_many(&mut moves).await;
-    }
-}
-
-async fn read_study(
-    store: Arc<dyn StudyStore>,
-    (tenant, id): (Tenant, StudyId),
-    mut moves: Moves,
-    sender: watch::Sender<Arc<Study>>,
-) {
-    loop {
-        match store.get_study(&tenant, id).await {
-            Ok(study) => {
-                let is_final = study.state.is_final();
-                sender.send_if_modified(|seen| {
-                    let changed = **seen != study;
-                    *seen = Arc::new(study);
-                    changed
-                });
-                if is_final {
-                    return;
-                }
-            }
-            Err(JobError::StudyNotFound) => return,
-            Err(error) => {
-                tracing::debug!(study_id = %id, %error, "a followed study cannot be read now");
-                tokio::time::sleep(POLL_FAILING).await;
-            }
-        }
-        pause_among_many(&mut moves).await;
+        wait_for_move(&mut moves).await;
     }
 }
 
@@ -309,12 +284,12 @@ async fn read_changes(
                 tokio::time::sleep(POLL_FAILING).await;
             }
         }
-        pause_among_many(&mut moves).await;
+        wait_for_move(&mut moves).await;
     }
 }
 
 /// Until any job changes its state, or the interval is over.
-async fn pause_among_many(moves: &mut Moves) {
+async fn wait_for_move(moves: &mut Moves) {
     tokio::time::sleep(LEAST_MANY).await;
     tokio::select! {
         () = moves.next() => {}

@@ -137,7 +137,7 @@ mod tests {
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),
-                compared: vec![start(1.4, Finer::None), start(misfit, finer)],
+                compared: vec![start(1.4, Finer::Undecided), start(misfit, finer)],
                 residual_mm: 0.1,
                 agreement: Agreement { curvature: 0.9, normals: 0.95 },
                 distortion: 0.2,
@@ -154,7 +154,7 @@ mod tests {
     fn normals_that_disagree_tell_structures_apart_but_not_of_thin_walls() {
         let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
         let is_reliable = |normals: f64, distortion: f64| {
-            let best = ComparedPose { origin: Origin::Pose(0), mirrored: false, misfit: 1.2, finer: Finer::None };
+            let best = ComparedPose { origin: Origin::Pose(0), mirrored: false, misfit: 1.2, finer: Finer::Undecided };
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),
@@ -175,7 +175,7 @@ mod tests {
             let pose = RigidTransform::identity();
             let isometry = |mean_energy| Origin::Isometry { pose, mean_energy };
             let origin = energy.map_or(Origin::Straightened(pose), isometry);
-            let best = ComparedPose { origin, mirrored: false, misfit: 1.2, finer: Finer::None };
+            let best = ComparedPose { origin, mirrored: false, misfit: 1.2, finer: Finer::Undecided };
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),

@@ -2,7 +2,7 @@
 //! image, and RANSAC over the labels, weighted by beliefs.
 
 use super::bias::bias_away_from;
-use super::lead::{DISTINCT, Groups};
+use super::lead::{DISTINCT_LABELINGS, Groups};
 use super::model::{Isometry, Measured};
 use super::settings::IsometrySettings;
 use homolog_contract::result::{
@@ -112,14 +112,14 @@ impl Inferred {
     /// image, cost significantly more. Otherwise further starts are needed.
     pub(crate) fn is_clear(&self) -> bool {
         self.proper.support() >= CLEAR_SUPPORT
-            && self.excess(&self.model, &self.elsewhere) > DISTINCT
-            && self.excess(&self.of_mirror, &self.mirrored) > DISTINCT
+            && self.excess(&self.model, &self.elsewhere) > DISTINCT_LABELINGS
+            && self.excess(&self.of_mirror, &self.mirrored) > DISTINCT_LABELINGS
     }
 
     /// Whether the labels of the mirror image cost significantly less and nearly all support one pose: the target is
     /// then the mirrored source, not only bent.
     pub(crate) fn is_of_other_handedness(&self) -> bool {
-        self.mirrored.support() >= CLEAR_SUPPORT && self.excess(&self.of_mirror, &self.mirrored) < -DISTINCT
+        self.mirrored.support() >= CLEAR_SUPPORT && self.excess(&self.of_mirror, &self.mirrored) < -DISTINCT_LABELINGS
     }
 
     /// Excess cost of `other`, a labeling of `model`, over `proper`, in standard errors: see [`Groups::lead`].

@@ -3,7 +3,7 @@
 use crate::surface::sites::Sites;
 
 /// Standard errors of the mean difference from which one of two labelings costs more.
-pub(crate) const DISTINCT: f64 = 3.0;
+pub(crate) const DISTINCT_LABELINGS: f64 = 3.0;
 
 /// Groups of neighboring variables over which the costs of two labelings are compared.
 const GROUPS: usize = 40;

@@ -39,7 +39,7 @@ impl Followed {
             origin: Origin::Pose(self.index),
             mirrored: self.mirrored(),
             misfit: self.misfit,
-            finer: if self.is_reached { Finer::Same } else { Finer::None },
+            finer: if self.is_reached { Finer::Same } else { Finer::Undecided },
         }
     }
 }

@@ -3,7 +3,7 @@
 //! Between surfaces of one shape the right pose needs the smallest and smoothest deformation, also where a flexible
 //! field hides the difference: noise and two subjects leave residuals that differ little between poses, while a wrong
 //! pose needs a larger displacement to reach them. What is measured is the displacement without its rigid part, along
-//! the normals of the target: a surface says nothing else of it ([`super::observed`]).
+//! the normals of the target: a surface says nothing else of it ([`super::uncertainty`]).
 //!
 //! Both deformations are measured with the same noise. Noise and amplitude are at least the distance at which a fit
 //! counts as settled, since displacements below it are an accident of where the fit ended.

@@ -6,11 +6,11 @@ use super::both_ways::WayBack;
 use super::deformed::Deformed;
 use super::displacement::Displacement;
 use super::fitted::{Refined, pose_of};
-use super::observed;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, returned};
 use super::roundness::spread_of_rotations;
 use super::strain::distortion;
+use super::uncertainty;
 use crate::error::MatchError;
 use crate::pair::role::Role;
 use crate::pair::surfaces::{Surfaces, swapped};
@@ -63,7 +63,7 @@ pub(crate) fn finished(
         let variances = vec![residual_mm * residual_mm; moved.len()];
         return Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }));
     }
-    let Some(mut variances) = observed::variances(displacement, &refined, &reached, full_source.vertices()) else {
+    let Some(mut variances) = uncertainty::variances(displacement, &refined, &reached, full_source.vertices()) else {
         return Ok(None);
     };
     // Copies start from their own pose, and bent surfaces have no axis: neither needs rotations in the variance.

@@ -18,7 +18,7 @@ use super::rivals::{Unexplained, is_distinct, unexplained};
 use super::settings::IsometryFitSettings;
 use super::unbending::Unbending;
 use crate::energy::inference::InferenceSettings;
-use crate::energy::lead::{DISTINCT, Groups};
+use crate::energy::lead::{DISTINCT_LABELINGS, Groups};
 use crate::energy::minimize::NearIsometry;
 use crate::energy::model::{Isometry, Measured};
 use crate::energy::settings::IsometrySettings;
@@ -55,14 +55,14 @@ pub(crate) struct LowEnergies<'a> {
 impl LowEnergies<'_> {
     /// Whether `start` costs significantly more than the lowest.
     fn is_clearly_above_lowest(&self, start: &NearIsometry) -> bool {
-        self.starts.first().is_some_and(|lowest| self.groups.lead(&lowest.shares, &start.shares) > DISTINCT)
+        self.starts.first().is_some_and(|lowest| self.groups.lead(&lowest.shares, &start.shares) > DISTINCT_LABELINGS)
     }
 
     /// Whether the labels of the mirrored source do not cost significantly less. This also holds for a body whose left
     /// and right are alike.
     pub(crate) fn are_of_same_handedness(&self) -> bool {
         match (self.starts.first(), self.isometry.lowest_mirrored()) {
-            (Some(lowest), Some(mirrored)) => self.groups.lead(&lowest.shares, &mirrored) > -DISTINCT,
+            (Some(lowest), Some(mirrored)) => self.groups.lead(&lowest.shares, &mirrored) > -DISTINCT_LABELINGS,
             (_, None) => true,
             (None, _) => false,
         }
@@ -261,7 +261,7 @@ pub(crate) fn best_of_lowest(
             start.finer = Finer::AsGood;
         }
     }
-    compared[chosen].finer = Finer::None;
+    compared[chosen].finer = Finer::Undecided;
     compared[..=chosen].rotate_right(1);
     Ok(Some(BestBent { refined: best.refined, fine_misfit: best.misfit, compared }))
 }

@@ -30,7 +30,7 @@ use std::sync::OnceLock;
 /// Patches per surface.
 const PATCHES: usize = 64;
 /// Standard errors of the mean difference from which one of two starts is better; a chance of one in two thousand.
-const DISTINCT: f64 = 3.5;
+const DISTINCT_STARTS: f64 = 3.5;
 
 /// Standard errors from which a bent answer is preferred to the answer of a rigid start: the usual two, because a wrong
 /// choice between answers of nearly equal likelihood costs little.
@@ -66,9 +66,9 @@ impl Unexplained {
 
     pub(crate) fn evidence(&self, other: &Unexplained) -> Evidence {
         let excess = self.excess_over(other);
-        if excess > DISTINCT {
+        if excess > DISTINCT_STARTS {
             Evidence::Second
-        } else if excess < -DISTINCT {
+        } else if excess < -DISTINCT_STARTS {
             Evidence::First
         } else {
             Evidence::Equal
@@ -80,7 +80,7 @@ impl Unexplained {
 /// standard errors and falls behind by `lead` in another measure: the energy of labels, or the deformation that is
 /// needed. Both count as independent numbers of variance 1.
 pub(crate) fn is_distinct(excess: f64, lead: f64) -> bool {
-    (excess + lead) / std::f64::consts::SQRT_2 > DISTINCT
+    (excess + lead) / std::f64::consts::SQRT_2 > DISTINCT_STARTS
 }
 
 /// A start with its field after the coarse stage.
@@ -118,7 +118,7 @@ pub(crate) fn decided(
     let mut of_chosen: Option<End> = None;
     for k in 1..candidates.len() {
         let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
-        if candidates[k].compared.finer != Finer::None {
+        if candidates[k].compared.finer != Finer::Undecided {
             continue;
         }
         let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
@@ -140,7 +140,9 @@ pub(crate) fn decided(
             (Evidence::First, _) | (Evidence::Equal, true) => Finer::Outdone,
             // At a fine scale all poses of two subjects or of noisy surfaces explain about the same; at the coarse scale
             // one may explain less, or it needs the larger deformation.
-            (Evidence::Equal, false) if coarse_excess > DISTINCT || own.is_distinct_from(&found, displacement) => {
+            (Evidence::Equal, false)
+                if coarse_excess > DISTINCT_STARTS || own.is_distinct_from(&found, displacement) =>
+            {
                 Finer::Outdone
             }
             (Evidence::Equal, false) => Finer::AsGood,
@@ -148,12 +150,12 @@ pub(crate) fn decided(
             (Evidence::Second, false) => {
                 // Starts as good as the previous winner are outdone with it.
                 for candidate in &mut candidates[..k] {
-                    if matches!(candidate.compared.finer, Finer::None | Finer::AsGood) {
+                    if matches!(candidate.compared.finer, Finer::Undecided | Finer::AsGood) {
                         candidate.compared.finer = Finer::Outdone;
                     }
                 }
                 (chosen, of_chosen) = (k, Some(found));
-                Finer::None
+                Finer::Undecided
             }
         };
         candidates[k].compared.finer = fate;

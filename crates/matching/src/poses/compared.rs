@@ -59,8 +59,8 @@ pub(crate) struct ComparedPose {
 /// How a start fared in later stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Finer {
-    /// Not followed.
-    None,
+    /// Not followed, or the answer itself.
+    Undecided,
     /// Ended at the pose of a better start.
     Same,
     /// Leaves more unexplained, or has a higher energy.

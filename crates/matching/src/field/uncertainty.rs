@@ -150,8 +150,8 @@ impl Sample {
         let of_heights: Vec<f64> = components.iter().take(n).map(|height| height.variance).collect();
         let (mut variances, mut before) = (Vec::new(), 0.0);
         for _ in 0..MOST_PASSES {
-            let traces = posterior_covariances(prior, &center, &components, at)?;
-            variances = (0..n).map(|k| traces[(k, k)].max(0.0)).collect();
+            let covariances = posterior_covariances(prior, &center, &components, at)?;
+            variances = (0..n).map(|k| covariances[(k, k)].max(0.0)).collect();
             let total = variances.iter().sum::<f64>();
             if total <= AT_REST * before {
                 break;
@@ -160,7 +160,7 @@ impl Sample {
             for (k, height) in components.iter_mut().take(n).enumerate() {
                 // The correlation of the squares of two displacements is the square of their correlation.
                 let scale = |l: usize| (variances[k] * variances[l]).max(f64::MIN_POSITIVE);
-                let correlated: f64 = (0..n).map(|l| self.areas[l] * traces[(k, l)].powi(2) / scale(l)).sum();
+                let correlated: f64 = (0..n).map(|l| self.areas[l] * covariances[(k, l)].powi(2) / scale(l)).sum();
                 let slid = 0.5 * variances[k];
                 height.variance = of_heights[k] + self.bending[k] * slid * slid * (correlated / self.areas[k]).max(1.0);
             }

@@ -1,7 +1,7 @@
 //! A result document summarized in a few lines, the verdict first.
 
 use super::words::on_command_line;
-use homolog_contract::result::{EnergyDocument, OutlierReason, ResultDocument, StopReason};
+use homolog_contract::result::{Correspondences, EnergyDocument, OutlierReason, ResultDocument, StopReason};
 use homolog_run::next_step;
 use std::fmt::Write;
 
@@ -44,6 +44,9 @@ pub(super) fn summary(result: &ResultDocument) -> String {
         100.0 * result.topology.consistency,
         100.0 * result.topology.coverage
     );
+    if let Some(precision) = result.correspondences.as_ref().and_then(precision) {
+        let _ = writeln!(text, "confidence        {precision}");
+    }
     if let Some(deformation) = &result.deformation {
         let _ = writeln!(text, "deformation       {}", deformation.sentence());
     }
@@ -91,6 +94,19 @@ fn verdict(result: &ResultDocument) -> String {
         }
     }
     text
+}
+
+/// Medians of confidence and spread over the source vertices.
+fn precision(columns: &Correspondences) -> Option<String> {
+    let median = |values: &[f64]| {
+        let mut values = values.to_vec();
+        values.sort_unstable_by(f64::total_cmp);
+        values.get(values.len() / 2).copied()
+    };
+    let (confidence, spread) = (median(&columns.confidence)?, median(&columns.spread_mm)?);
+    Some(format!(
+        "median {confidence:.2} that a point is within an edge of the truth; median expected error {spread:.2} mm"
+    ))
 }
 
 /// The energy before and after its minimization, and the energy of the answer where a displacement field changed the

@@ -122,7 +122,7 @@ pub fn form(bytes: &[u8]) {
     };
     let read = at_once(async {
         let (request, tap) = Tap::on(request, limits.max_body_bytes());
-        tap.settle(submission::read(request, &tap, &limits, &accepted).await).await
+        tap.settle(submission::read(request, &tap, &limits, &accepted)).await
     });
     if let Err(problem) = read {
         check(problem);

@@ -57,9 +57,16 @@ pub(super) struct Stored<'a> {
     pub(super) n_bytes: u64,
 }
 
+/// The part of a content that a request asks for.
+pub(super) enum Wanted {
+    /// An answer without content: 304 or 416.
+    Nothing(Box<Response>),
+    /// The whole content, or a range of it; only the headers for a HEAD request.
+    Content { range: Option<Range<u64>>, with_body: bool },
+}
+
 impl Stored<'_> {
-    /// Answers a call with the content, or with the range of it that the client asks for, streamed from what `open` returns;
-    /// with 304 or 416, or for a HEAD request, with the headers only.
+    /// Answers a call with the part of the content that it asks for, streamed from what `open` returns.
     ///
     /// # Errors
     /// Those of `open`.
@@ -71,28 +78,36 @@ impl Stored<'_> {
     where
         O: Future<Output = Result<BlobStream, JobError>>,
     {
-        let Call { method, headers, .. } = call;
+        Ok(match self.wanted(&call.method, &call.headers) {
+            Wanted::Nothing(response) => *response,
+            Wanted::Content { range, with_body } => {
+                let stream = if with_body { Some(open(range.clone()).await?) } else { None };
+                self.streamed(&call.headers, range, stream)
+            }
+        })
+    }
+
+    /// The part of the content that a request asks for.
+    pub(super) fn wanted(&self, method: &Method, headers: &HeaderMap) -> Wanted {
         if is_fresh(headers, self.etag) {
-            return Ok(not_modified(self.etag));
+            return Wanted::Nothing(Box::new(not_modified(self.etag)));
         }
         let with_body = method != Method::HEAD;
         let if_range = headers.get(header::IF_RANGE);
         // A range applies to GET only, and to the content that the client knows.
         let applies = with_body && if_range.is_none_or(|known| known.as_bytes() == self.etag.as_bytes());
         let asked = headers.get(header::RANGE).filter(|_| applies).and_then(|value| value.to_str().ok());
-        let range = match asked.map_or(Asked::Whole, |text| parse(text, self.n_bytes)) {
-            Asked::Whole => None,
-            Asked::Range(range) => Some(range),
+        match asked.map_or(Asked::Whole, |text| parse(text, self.n_bytes)) {
+            Asked::Whole => Wanted::Content { range: None, with_body },
+            Asked::Range(range) => Wanted::Content { range: Some(range), with_body },
             Asked::Beyond => {
                 let mut response = Problem::new(ProblemKind::RangeNotSatisfiable).into_response();
                 if let Ok(size) = HeaderValue::from_str(&format!("bytes */{}", self.n_bytes)) {
                     response.headers_mut().insert(header::CONTENT_RANGE, size);
                 }
-                return Ok(response);
+                Wanted::Nothing(Box::new(response))
             }
-        };
-        let stream = if with_body { Some(open(range.clone()).await?) } else { None };
-        Ok(self.streamed(headers, range, stream))
+        }
     }
 
     /// The answer with a stream of the content, or of a range of it.

@@ -1,13 +1,13 @@
 //! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
 //! Reading order: [`operations`] (the table of all operations; `parts`, what they have in common), `call` (a request whose
-//! sender is authorized), [`routes`] (the handlers, one file for each resource), [`mod@router`] (layers), [`upload`] (bodies under
-//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] and `study_wire` (JSON forms; `options`, the members that submissions share),
-//! `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (lists with selected
-//! members), `conditional` and `long_poll` (ETags and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans,
-//! metrics), `audit` (recorded requests), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets),
-//! [`hosts`] (host validation) and `cors` (pages of other origins), [`server`] (connections), `page` (the dashboard);
-//! `fuzzed` holds the entry points of fuzzing.
+//! sender is authorized), [`routes`] (the handlers, one file for each resource), [`mod@router`] (layers), [`upload`] (bodies
+//! under limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] and `study_wire` (JSON forms;
+//! `options`, the members that submissions share), `accept` and `representation` (content negotiation), `content` (streams
+//! and ranges), `fields` (lists with selected members), `conditional` and `long_poll` (ETags and `?wait=`), [`problem`]
+//! (errors), [`context`] (request ids, spans, metrics), `audit` (recorded requests), `auth` (keys), `tokens` (of OpenID
+//! Connect) and `ticketed` (tickets), [`hosts`] (host validation) and `cors` (pages of other origins), [`server`]
+//! (connections), `page` (the dashboard); `fuzzed` holds the entry points of fuzzing.
 //!
 //! Invariant: every error answer is `application/problem+json`; a 5xx answer hides its cause and carries the request
 //! id. This module knows neither the stores nor how a match is computed.

@@ -1,65 +1,18 @@
-//! Selects the requests that the audit log records, and makes their rows: every operation that may change something,
-//! and the ones that read a result or an upload. A row is stored before the answer is sent; a request whose client
+//! Makes the rows of the requests that the audit log records: every operation that may change something, and those that
+//! read a result or an upload ([`Operation::is_recorded`]). A row is stored before the answer is sent; a request whose client
 //! disconnects earlier is recorded too.
 
+use super::operations::Operation;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
-use super::router::{HttpState, api};
+use super::router::HttpState;
 use super::shares::Origin;
 use crate::jobs::audit::Recorder;
 use crate::jobs::{AuditEvent, SecretKey, Tenant};
 use axum::extract::Request;
-use axum::http::{HeaderMap, Method, header};
+use axum::http::{HeaderMap, header};
 use axum::response::{IntoResponse, Response};
-use std::collections::HashMap;
-use std::sync::{Arc, LazyLock, OnceLock};
-use utoipa::openapi::PathItem;
-use utoipa::openapi::path::Operation;
-
-/// Operations that change nothing but are recorded, because they return results about a patient or uploads.
-pub(super) const RECORDED_READS: [&str; 14] = [
-    "get_result",
-    "get_correspondences",
-    "get_transform",
-    "get_surface",
-    "get_volume",
-    "get_aligned",
-    "get_warped",
-    "get_report",
-    "download_file",
-    "get_mesh_content",
-    "get_mesh_surface",
-    "get_study_result",
-    "get_study_report",
-    "get_study_archive",
-];
-
-/// The recorded operations, by method and route, with their ids in the OpenAPI document.
-static RECORDED: LazyLock<HashMap<(Method, String), String>> = LazyLock::new(|| {
-    let (_, document) = api().split_for_parts();
-    let mut recorded = HashMap::new();
-    for (path, item) in document.paths.paths {
-        for (method, operation) in operations(item) {
-            let name = operation.operation_id.unwrap_or_default();
-            if method != Method::GET || RECORDED_READS.contains(&name.as_str()) {
-                recorded.insert((method, path.clone()), name);
-            }
-        }
-    }
-    recorded
-});
-
-fn operations(item: PathItem) -> impl Iterator<Item = (Method, Operation)> {
-    let PathItem { get, put, post, delete, patch, .. } = item;
-    let all = [
-        (Method::GET, get),
-        (Method::PUT, put),
-        (Method::POST, post),
-        (Method::DELETE, delete),
-        (Method::PATCH, patch),
-    ];
-    all.into_iter().filter_map(|(method, operation)| Some((method, operation?)))
-}
+use std::sync::{Arc, OnceLock};
 
 /// The sender of a request, once it is authenticated.
 #[derive(Debug, Clone, Default)]
@@ -91,12 +44,11 @@ pub(super) struct Recording {
 impl Recording {
     /// The recording of a request; `None` if the request is not recorded.
     pub(super) fn of(state: &HttpState, caller: &Caller, request: &Request, route: &str) -> Option<Self> {
-        let method = if request.method() == Method::HEAD { &Method::GET } else { request.method() };
-        let action = RECORDED.get(&(method.clone(), route.to_owned()))?;
+        let operation = Operation::of(request.method(), route).filter(|operation| operation.is_recorded())?;
         let event = AuditEvent {
             tenant: None,
             key_id: None,
-            action: action.clone(),
+            action: operation.name.to_owned(),
             resource: resource(route, request.uri().path()),
             address: Origin::of(request.extensions()).address().map(|address| address.to_string()),
             status: None,
@@ -177,12 +129,5 @@ mod tests {
             assert_eq!(of("/v1/jobs/{id}/result", other), None, "{other}");
         }
         assert_eq!(of("/v1/jobs", ""), None);
-    }
-
-    #[test]
-    fn reads_that_are_recorded_exist() {
-        let found: Vec<&String> =
-            RECORDED.iter().filter(|((method, _), _)| *method == Method::GET).map(|(_, n)| n).collect();
-        assert_eq!(found.len(), RECORDED_READS.len(), "{found:?}");
     }
 }

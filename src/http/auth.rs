@@ -12,10 +12,8 @@ use super::shares::Origin;
 use super::ticketed::ticket_of;
 use super::tokens::{Bearer, TokenFault};
 use crate::jobs::{Role, Scope, SecretKey, Tenant, Ticket};
-use axum::extract::FromRequestParts;
 use axum::http::header;
 use axum::http::request::Parts;
-use std::convert::Infallible;
 use std::time::Duration;
 use tokio::time::{Instant, sleep_until};
 
@@ -31,18 +29,6 @@ pub enum AuthMode {
     /// API keys are required, `Authorization: Bearer hml_…`, or tokens where a provider is set.
     Keys,
 }
-
-/// The tenant of a request whose key has the scope `read`.
-#[derive(Debug, Clone)]
-pub(crate) struct Reader(pub(crate) Tenant);
-
-/// The tenant of a request whose key has the scope `submit`.
-#[derive(Debug, Clone)]
-pub(crate) struct Submitter(pub(crate) Tenant);
-
-/// The tenant of a request whose key has the scope `admin`.
-#[derive(Debug, Clone)]
-pub(crate) struct Admin(pub(crate) Tenant);
 
 /// The sender of a request, and its rights.
 struct Identity {
@@ -73,7 +59,11 @@ async fn identity(bearer: &str, state: &HttpState) -> Result<Identity, Problem> 
     }
 }
 
-async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<Tenant, Problem> {
+/// The tenant of a request whose sender has this scope.
+///
+/// # Errors
+/// `unauthenticated`, `scope-missing`, `too-many-requests`, or a store that does not answer.
+pub(super) async fn tenant_with(parts: &Parts, state: &HttpState, scope: Scope) -> Result<Tenant, Problem> {
     let origin = Origin::of(&parts.extensions);
     let caller = parts.extensions.get::<Caller>().cloned().unwrap_or_default();
     if state.auth == AuthMode::None {
@@ -115,8 +105,7 @@ impl Identity {
     }
 }
 
-/// The credentials that admitted a request, for further checks while its answer continues. Extracting them authorizes
-/// nobody.
+/// The credentials of a request, for further checks while its answer continues.
 #[derive(Clone)]
 pub(crate) struct Rights {
     state: HttpState,
@@ -127,21 +116,23 @@ pub(crate) struct Rights {
     due: Instant,
 }
 
-impl FromRequestParts<HttpState> for Rights {
-    type Rejection = Infallible;
-
-    async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Infallible> {
-        Ok(Rights {
+impl Rights {
+    /// The credentials of a request.
+    pub(super) fn of(parts: &Parts, state: &HttpState) -> Self {
+        Rights {
             state: state.clone(),
             bearer: bearer(parts).map(str::to_owned),
             caller: parts.extensions.get::<Caller>().cloned().unwrap_or_default(),
             began: Instant::now(),
             due: Instant::now() + state.limits.access_interval,
-        })
+        }
     }
-}
 
-impl Rights {
+    /// The id of the key, if it has one.
+    pub(super) fn key_id(&self) -> Option<&str> {
+        self.caller.key_id()
+    }
+
     /// Checks that the caller still has `scope` in the tenant of the request. One query.
     ///
     /// # Errors
@@ -180,22 +171,4 @@ impl Rights {
     pub(super) async fn due(&self) {
         sleep_until(self.due).await;
     }
-}
-
-macro_rules! extracts {
-    ($($who:ident needs $scope:ident;)*) => {
-        $(impl FromRequestParts<HttpState> for $who {
-            type Rejection = Problem;
-
-            async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Problem> {
-                tenant_with(parts, state, Scope::$scope).await.map($who)
-            }
-        })*
-    };
-}
-
-extracts! {
-    Reader needs Read;
-    Submitter needs Submit;
-    Admin needs Admin;
 }

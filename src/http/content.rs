@@ -1,11 +1,12 @@
 //! Content that should not be held in memory as a whole: streamed from the store, or counted while it is sent; and byte
 //! ranges of content (RFC 9110, section 14).
 
+use super::call::Call;
 use super::conditional::{is_fresh, not_modified, respond};
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::shares::Taken;
-use crate::jobs::BlobStream;
+use crate::jobs::{BlobStream, JobError};
 use axum::body::{Body, HttpBody};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::response::{IntoResponse, Response};
@@ -49,7 +50,14 @@ impl HttpBody for Counted {
     }
 }
 
-/// The part of a content that a request asks for. The content never changes under its ETag.
+/// Content in the store, which never changes under its ETag.
+pub(super) struct Stored<'a> {
+    pub(super) etag: &'a str,
+    pub(super) content_type: &'static str,
+    pub(super) n_bytes: u64,
+}
+
+/// The part of a content that a request asks for.
 pub(super) enum Wanted {
     /// An answer without content: 304 or 416.
     Nothing(Box<Response>),
@@ -57,26 +65,68 @@ pub(super) enum Wanted {
     Content { range: Option<Range<u64>>, with_body: bool },
 }
 
-/// The part of a content of `n_bytes` that a request asks for.
-pub(super) fn wanted(method: &Method, headers: &HeaderMap, etag: &str, n_bytes: u64) -> Wanted {
-    if is_fresh(headers, etag) {
-        return Wanted::Nothing(Box::new(not_modified(etag)));
-    }
-    let with_body = method != Method::HEAD;
-    let if_range = headers.get(header::IF_RANGE);
-    // A range applies to GET only, and to the content that the client knows.
-    let applies = with_body && if_range.is_none_or(|known| known.as_bytes() == etag.as_bytes());
-    let asked = headers.get(header::RANGE).filter(|_| applies).and_then(|value| value.to_str().ok());
-    match asked.map_or(Asked::Whole, |text| parse(text, n_bytes)) {
-        Asked::Whole => Wanted::Content { range: None, with_body },
-        Asked::Range(range) => Wanted::Content { range: Some(range), with_body },
-        Asked::Beyond => {
-            let mut response = Problem::new(ProblemKind::RangeNotSatisfiable).into_response();
-            if let Ok(size) = HeaderValue::from_str(&format!("bytes */{n_bytes}")) {
-                response.headers_mut().insert(header::CONTENT_RANGE, size);
+impl Stored<'_> {
+    /// Answers a call with the part of the content that it asks for, streamed from what `open` returns.
+    ///
+    /// # Errors
+    /// Those of `open`.
+    pub(super) async fn answer<O>(
+        &self,
+        call: &Call,
+        open: impl FnOnce(Option<Range<u64>>) -> O,
+    ) -> Result<Response, Problem>
+    where
+        O: Future<Output = Result<BlobStream, JobError>>,
+    {
+        Ok(match self.wanted(&call.method, &call.headers) {
+            Wanted::Nothing(response) => *response,
+            Wanted::Content { range, with_body } => {
+                let stream = if with_body { Some(open(range.clone()).await?) } else { None };
+                self.streamed(&call.headers, range, stream)
             }
-            Wanted::Nothing(Box::new(response))
+        })
+    }
+
+    /// The part of the content that a request asks for.
+    pub(super) fn wanted(&self, method: &Method, headers: &HeaderMap) -> Wanted {
+        if is_fresh(headers, self.etag) {
+            return Wanted::Nothing(Box::new(not_modified(self.etag)));
         }
+        let with_body = method != Method::HEAD;
+        let if_range = headers.get(header::IF_RANGE);
+        // A range applies to GET only, and to the content that the client knows.
+        let applies = with_body && if_range.is_none_or(|known| known.as_bytes() == self.etag.as_bytes());
+        let asked = headers.get(header::RANGE).filter(|_| applies).and_then(|value| value.to_str().ok());
+        match asked.map_or(Asked::Whole, |text| parse(text, self.n_bytes)) {
+            Asked::Whole => Wanted::Content { range: None, with_body },
+            Asked::Range(range) => Wanted::Content { range: Some(range), with_body },
+            Asked::Beyond => {
+                let mut response = Problem::new(ProblemKind::RangeNotSatisfiable).into_response();
+                if let Ok(size) = HeaderValue::from_str(&format!("bytes */{}", self.n_bytes)) {
+                    response.headers_mut().insert(header::CONTENT_RANGE, size);
+                }
+                Wanted::Nothing(Box::new(response))
+            }
+        }
+    }
+
+    /// The answer with a stream of the content, or of a range of it.
+    fn streamed(&self, headers: &HeaderMap, range: Option<Range<u64>>, stream: Option<BlobStream>) -> Response {
+        // Compression polls once more after the end, where a stream that is not fused may panic.
+        let body = stream.map_or_else(Body::empty, |stream| Body::from_stream(stream.fuse()));
+        let mut response = respond(headers, self.etag, self.content_type, body);
+        let length = range.as_ref().map_or(self.n_bytes, |range| range.end - range.start);
+        let answered = response.headers_mut();
+        answered.insert(header::CONTENT_LENGTH, length.into());
+        answered.insert(header::ACCEPT_RANGES, HeaderValue::from_static("bytes"));
+        if let Some(range) = range {
+            let place = format!("bytes {}-{}/{}", range.start, range.end.saturating_sub(1), self.n_bytes);
+            if let Ok(place) = HeaderValue::from_str(&place) {
+                answered.insert(header::CONTENT_RANGE, place);
+            }
+            *response.status_mut() = StatusCode::PARTIAL_CONTENT;
+        }
+        response
     }
 }
 
@@ -111,32 +161,6 @@ fn parse(text: &str, n_bytes: u64) -> Asked {
     if range.start >= range.end { Asked::Beyond } else { Asked::Range(range) }
 }
 
-/// The answer with a stream of the content, or of a range of it.
-pub(super) fn streamed(
-    headers: &HeaderMap,
-    etag: &str,
-    content_type: &'static str,
-    n_bytes: u64,
-    range: Option<&Range<u64>>,
-    stream: Option<BlobStream>,
-) -> Response {
-    // Compression polls once more after the end, where a stream that is not fused may panic.
-    let body = stream.map_or_else(Body::empty, |stream| Body::from_stream(stream.fuse()));
-    let mut response = respond(headers, etag, content_type, body);
-    let length = range.map_or(n_bytes, |range| range.end - range.start);
-    let answered = response.headers_mut();
-    answered.insert(header::CONTENT_LENGTH, length.into());
-    answered.insert(header::ACCEPT_RANGES, HeaderValue::from_static("bytes"));
-    if let Some(range) = range {
-        let place = format!("bytes {}-{}/{n_bytes}", range.start, range.end.saturating_sub(1));
-        if let Ok(place) = HeaderValue::from_str(&place) {
-            answered.insert(header::CONTENT_RANGE, place);
-        }
-        *response.status_mut() = StatusCode::PARTIAL_CONTENT;
-    }
-    response
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -146,7 +170,8 @@ mod tests {
     async fn a_streamed_answer_may_be_read_beyond_its_end() {
         let pieces =
             futures_util::stream::unfold(0, |k| async move { (k < 2).then(|| (Ok(Bytes::from_static(b"ab")), k + 1)) });
-        let response = streamed(&HeaderMap::new(), "\"e\"", "application/json", 4, None, Some(Box::pin(pieces)));
+        let stored = Stored { etag: "\"e\"", content_type: "application/json", n_bytes: 4 };
+        let response = stored.streamed(&HeaderMap::new(), None, Some(Box::pin(pieces)));
         let mut body = response.into_body();
         for _ in 0..2 {
             assert_eq!(body.frame().await.unwrap().unwrap().into_data().unwrap(), "ab");

@@ -3,6 +3,8 @@
 
 use super::audit::{Caller, Recording};
 use super::auth::AuthMode;
+use super::operations::Operation;
+use super::parts::Part;
 use super::preferences::{TRACEPARENT, trace_id, traceparent};
 use super::problem::{PROBLEM_JSON, Problem};
 use super::problem_table::ProblemKind;
@@ -82,12 +84,11 @@ pub(crate) async fn surround(State(state): State<HttpState>, mut request: Reques
     request.extensions_mut().insert(caller.clone());
     let recording = Recording::of(&state, &caller, &request, &route);
     let began = Instant::now();
-    let limit = match (method, route.as_str()) {
-        // The handler limits the upload itself, with a better answer; this limit covers the steps after the upload.
-        ("POST", "/v1/jobs" | "/v1/meshes" | "/v1/batches" | "/v1/studies" | "/v1/studies/{id}/subjects") => {
-            state.limits.upload_timeout + AFTER_UPLOAD
-        }
-        _ => state.limits.request_timeout,
+    // The handler limits an upload itself, with a better answer; this limit covers the steps after the upload.
+    let takes_files = Operation::of(request.method(), &route).is_some_and(|operation| operation.has(Part::Files));
+    let limit = match takes_files {
+        true => state.limits.upload_timeout + AFTER_UPLOAD,
+        false => state.limits.request_timeout,
     };
     let answer = async {
         let response = match tokio::time::timeout(limit, next.run(request)).await {

@@ -2,14 +2,16 @@
 //!
 //! JSON examples are files under `api/examples`, taken from a real run; a test validates each against its schema.
 
+use super::operations::{OPERATIONS, Operation};
+use super::parts;
 use super::problem_table::ProblemKind;
-use super::ticketed::{TICKET, takes_tickets};
+use super::ticketed::TICKET;
 use axum::http::StatusCode;
 use serde_json::{Value, json};
-use utoipa::openapi::path::{Operation, ParameterBuilder, ParameterIn};
+use utoipa::openapi::path::{Operation as Described, ParameterBuilder, ParameterIn};
 use utoipa::openapi::request_body::RequestBody;
 use utoipa::openapi::schema::{Object, Type};
-use utoipa::openapi::{Content, OpenApi, Ref, RefOr, Required, Response};
+use utoipa::openapi::{Content, OpenApi, RefOr, Required};
 
 macro_rules! file {
     ($name:literal) => {
@@ -111,14 +113,15 @@ const PROBLEM: &str = super::problem::PROBLEM_JSON;
 
 /// Adds examples and common errors to every operation.
 pub(super) fn complete(document: &mut OpenApi) {
-    for item in document.paths.paths.values_mut() {
-        let operations = [&mut item.get, &mut item.post, &mut item.put, &mut item.patch, &mut item.delete];
-        operations.into_iter().flatten().for_each(complete_operation);
+    for row in OPERATIONS {
+        if let Some(described) = row.described(document) {
+            complete_operation(row, described);
+        }
     }
 }
 
-fn complete_operation(operation: &mut Operation) {
-    let name = operation.operation_id.clone().unwrap_or_default();
+fn complete_operation(row: &Operation, operation: &mut Described) {
+    let name = row.name;
     let named = |table: &[(&str, &str)]| {
         let found = table.iter().find(|(operation, _)| *operation == name);
         found.and_then(|(_, text)| serde_json::from_str::<Value>(text).ok())
@@ -129,32 +132,27 @@ fn complete_operation(operation: &mut Operation) {
             set(content, found.and_then(|(_, _, text)| serde_json::from_str(text).ok()));
         }
     }
-    if takes_tickets(&name) {
+    if row.takes_tickets() {
         let ticket = ParameterBuilder::new()
             .name(TICKET)
             .parameter_in(ParameterIn::Query)
             .required(Required::False)
             .schema(Some(Object::with_type(Type::String)))
             .description(Some("A ticket of `/v1/tickets`, instead of an API key"));
-        operation.parameters.get_or_insert_default().push(ticket.build().into());
+        parts::add(operation, ticket.build());
     }
-    let asks_for_keys =
-        operation.tags.as_ref().is_none_or(|tags| !tags.iter().any(|tag| tag == "system" || tag == "methods"));
     for (status, description) in ALWAYS {
-        if [StatusCode::UNAUTHORIZED, StatusCode::TOO_MANY_REQUESTS].contains(&status) && !asks_for_keys {
+        if [StatusCode::UNAUTHORIZED, StatusCode::TOO_MANY_REQUESTS].contains(&status) && row.scope.is_none() {
             continue;
         }
-        let schema = Ref::from_schema_name("ProblemDocument");
-        let content = Content::new(Some(schema));
-        let response = || Response::builder().description(description).content(PROBLEM, content).build();
-        operation.responses.responses.entry(status.as_str().to_owned()).or_insert_with(|| response().into());
+        parts::problem(operation, status.as_u16(), description);
     }
     for (status, response) in &mut operation.responses.responses {
         let RefOr::T(response) = response else { continue };
         let status = status.parse().unwrap_or(StatusCode::OK);
         for (media_type, content) in &mut response.content {
             let example = match media_type.as_str() {
-                PROBLEM => Some(problem(typical(&name, status))),
+                PROBLEM => Some(problem(typical(row, status))),
                 "application/json" if name == "problem_type" => Some(problem_type()),
                 "text/plain" if name == "metrics" => Some(json!("homolog_jobs{state=\"queued\"} 3\n")),
                 "text/event-stream" if name == "follow_jobs" => Some(json!(CHANGES)),
@@ -175,21 +173,9 @@ fn set(content: &mut RefOr<Content>, example: Option<Value>) {
 }
 
 /// The most common problem with this status in this operation.
-fn typical(operation: &str, status: StatusCode) -> ProblemKind {
-    match (operation, status) {
-        ("get_method", StatusCode::NOT_FOUND) => ProblemKind::MethodNotFound,
-        ("problem_type", StatusCode::NOT_FOUND) => ProblemKind::ProblemNotFound,
-        ("get_mesh" | "get_mesh_content" | "get_mesh_surface" | "delete_mesh", StatusCode::NOT_FOUND) => {
-            ProblemKind::MeshNotFound
-        }
-        ("get_batch" | "list_batch_jobs" | "cancel_batch", StatusCode::NOT_FOUND) => ProblemKind::BatchNotFound,
-        (
-            "get_webhook" | "update_webhook" | "delete_webhook" | "list_deliveries" | "test_webhook",
-            StatusCode::NOT_FOUND,
-        ) => ProblemKind::WebhookNotFound,
-        ("get_key" | "revoke_key", StatusCode::NOT_FOUND) => ProblemKind::KeyNotFound,
-        (name, StatusCode::NOT_FOUND) if name.contains("study") => ProblemKind::StudyNotFound,
-        (_, StatusCode::NOT_FOUND) => ProblemKind::JobNotFound,
+fn typical(row: &Operation, status: StatusCode) -> ProblemKind {
+    match (row.name, status) {
+        (_, StatusCode::NOT_FOUND) => row.resource.not_found(),
         (_, StatusCode::UNAUTHORIZED) => ProblemKind::Unauthenticated,
         (_, StatusCode::GONE) => ProblemKind::Expired,
         (_, StatusCode::REQUEST_TIMEOUT) => ProblemKind::UploadTimeout,

@@ -42,6 +42,11 @@ impl<E: PartialSchema> Fields<E> {
         Fields { kept, every, entries: PhantomData }
     }
 
+    /// All members that are not left out by default.
+    pub(super) fn all(_: &mut QueryString) -> Self {
+        Fields { kept: None, every: false, entries: PhantomData }
+    }
+
     /// Whether the member `name` is requested.
     pub(super) fn wants(&self, name: &str) -> bool {
         self.kept.as_ref().is_none_or(|kept| kept.contains(name))

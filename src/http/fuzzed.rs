@@ -6,7 +6,7 @@
 
 use super::accept::preferred;
 use super::conditional::{etag_of, is_fresh};
-use super::content::{Wanted, wanted};
+use super::content::{Stored, Wanted};
 use super::context::accepted_id;
 use super::cors::CorsOrigins;
 use super::hosts::AllowedHosts;
@@ -122,7 +122,7 @@ pub fn form(bytes: &[u8]) {
     };
     let read = at_once(async {
         let (request, tap) = Tap::on(request, limits.max_body_bytes());
-        tap.settle(submission::read(request, &tap, &limits, &accepted).await).await
+        tap.settle(submission::read(request, &tap, &limits, &accepted)).await
     });
     if let Err(problem) = read {
         check(problem);
@@ -157,7 +157,8 @@ pub fn headers(bytes: &[u8]) {
     let etag = etag_of(b"content");
     let fresh = is_fresh(&headers, &etag);
     for n_bytes in [0, 1, 1000, u64::MAX] {
-        if let Wanted::Content { range: Some(range), .. } = wanted(&Method::GET, &headers, &etag, n_bytes) {
+        let stored = Stored { etag: &etag, content_type: "application/octet-stream", n_bytes };
+        if let Wanted::Content { range: Some(range), .. } = stored.wanted(&Method::GET, &headers) {
             assert!(!fresh && range.start < range.end && range.end <= n_bytes, "{range:?} of {n_bytes}");
         }
     }

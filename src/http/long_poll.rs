@@ -6,9 +6,10 @@
 //! answer makes one request a second. Members outside both parts, such as the estimated remaining time, are in the body
 //! but do not count as a change.
 
-use super::auth::Rights;
+use super::call::{Call, ResourceId};
 use super::conditional::{not_modified, with_etag};
 use super::content::Counted;
+use super::fields::Fields;
 use super::problem::Problem;
 use super::query::QueryString;
 use super::router::HttpState;
@@ -139,15 +140,35 @@ pub(super) trait Resource: Sync {
     fn version(&self, seen: &Self::Seen) -> Result<Version, Problem>;
 }
 
-/// Answers 200 with the resource, or 304 where the client has this version; with a wait, when it has changed, or when the
-/// wait is over.
-pub(super) async fn answer(
-    state: &HttpState,
-    headers: &HeaderMap,
-    rights: &Rights,
-    wait: Duration,
-    resource: &impl Resource,
-) -> Result<Response, Problem> {
+/// A resource of a call that can be waited for, and the members that the client asks for.
+pub(super) struct Watched<I, E> {
+    pub(super) call: Call,
+    pub(super) id: I,
+    pub(super) fields: Fields<E>,
+}
+
+/// Answers 200 with the resource in the path, or 304 where the client has this version; with `?wait=`, when it has changed, or
+/// when the wait is over. `fields` reads which members are asked for.
+pub(super) async fn watch<I: ResourceId, E>(
+    mut call: Call,
+    fields: impl FnOnce(&mut QueryString) -> Fields<E>,
+) -> Result<Response, Problem>
+where
+    Watched<I, E>: Resource,
+{
+    let wait = wait_of(&mut call.query, &call.state);
+    let fields = fields(&mut call.query);
+    call.query.finish()?;
+    let _place = call.place(wait)?;
+    let id = call.id()?;
+    answer(wait, &Watched { call, id, fields }).await
+}
+
+async fn answer<I, E>(wait: Duration, resource: &Watched<I, E>) -> Result<Response, Problem>
+where
+    Watched<I, E>: Resource,
+{
+    let Call { state, headers, rights, .. } = &resource.call;
     let asked = Instant::now();
     let first = resource.look().await?;
     let known = Known::of(headers, &first.version);

@@ -1,12 +1,13 @@
 //! The HTTP API: routes, problems, wire types and the OpenAPI document.
 //!
-//! Reading order: [`mod@router`] (layers and routes), [`routes`] (one file for each resource), [`upload`] (bodies under
-//! limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] and `study_wire` (JSON forms),
-//! `accept` and `representation` (content negotiation), `content` (streams and ranges), `fields` (lists with selected
-//! members), `conditional` and `long_poll` (ETags and `?wait=`), [`problem`] (errors), [`context`] (request ids, spans,
-//! metrics), `audit` (recorded requests), `auth` (keys), `tokens` (of OpenID Connect) and `ticketed` (tickets),
-//! [`hosts`] (host validation) and `cors` (pages of other origins), [`server`] (connections), `page` (the dashboard);
-//! `fuzzed` holds the entry points of fuzzing.
+//! Reading order: [`operations`] (the table of all operations; `parts`, what they have in common), `call` (a request whose
+//! sender is authorized), [`routes`] (the handlers, one file for each resource), [`mod@router`] (layers), [`upload`] (bodies
+//! under limits; `shares` among clients, `pace` and `rate` of each), `strict_json`, [`wire`] and `study_wire` (JSON forms;
+//! `options`, the members that submissions share), `accept` and `representation` (content negotiation), `content` (streams
+//! and ranges), `fields` (lists with selected members), `conditional` and `long_poll` (ETags and `?wait=`), [`problem`]
+//! (errors), [`context`] (request ids, spans, metrics), `audit` (recorded requests), `auth` (keys), `tokens` (of OpenID
+//! Connect) and `ticketed` (tickets), [`hosts`] (host validation) and `cors` (pages of other origins), [`server`]
+//! (connections), `page` (the dashboard); `fuzzed` holds the entry points of fuzzing.
 //!
 //! Invariant: every error answer is `application/problem+json`; a 5xx answer hides its cause and carries the request
 //! id. This module knows neither the stores nor how a match is computed.
@@ -14,6 +15,7 @@
 mod accept;
 mod audit;
 mod auth;
+mod call;
 mod compression;
 mod conditional;
 mod content;
@@ -29,8 +31,11 @@ mod input_wire;
 mod json_fault;
 mod long_poll;
 mod openapi;
+mod operations;
+mod options;
 mod pace;
 mod page;
+mod parts;
 mod preferences;
 mod problem;
 mod problem_table;
@@ -54,6 +59,7 @@ pub use auth::AuthMode;
 pub use cors::CorsOrigins;
 pub use hosts::AllowedHosts;
 pub use openapi::openapi_json;
+pub use operations::{OPERATIONS, Operation};
 pub use pace::LeastRate;
 pub use problem_table::problems_markdown;
 pub use router::{HttpLimits, HttpState, probe_router, router};

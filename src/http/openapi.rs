@@ -1,8 +1,8 @@
 //! The OpenAPI document: generated from the routes, committed as `api/openapi.json`.
 
 use super::examples;
+use super::operations::api;
 use super::problem::ProblemDocument;
-use super::router::api;
 use crate::jobs::documents::parameter_schemas;
 use utoipa::openapi::schema::{KnownFormat, ObjectBuilder, Schema, SchemaFormat, Type};
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityRequirement, SecurityScheme};

@@ -97,7 +97,7 @@ impl QueryString {
 
     /// # Errors
     /// `invalid-query` with all faults, unknown parameters included.
-    pub(crate) fn finish(mut self) -> Result<(), Problem> {
+    pub(crate) fn finish(&mut self) -> Result<(), Problem> {
         for (name, _) in std::mem::take(&mut self.pairs) {
             // The name comes from the client; it is truncated so that the answer stays small.
             let name: String = name.chars().take(64).collect();

@@ -1,22 +1,21 @@
 //! Representations of results: `?format=` chooses the format, otherwise `Accept`; each format has its own ETag.
 
 use super::accept::preferred;
+use super::call::Call;
 use super::compression::{Gains, gains};
 use super::conditional::{is_fresh, not_modified, respond};
-use super::content::{Counted, Wanted, streamed, wanted};
+use super::content::{Counted, Stored};
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::query::QueryString;
-use super::router::HttpState;
-use super::shares::Origin;
-use crate::jobs::{GivenUids, JobId, PartFormat, Presented, ResultPart, Tenant, Uid};
+use crate::jobs::{GivenUids, JobId, PartFormat, Presented, ResultPart, Uid};
 use axum::body::Body;
-use axum::http::{HeaderMap, HeaderValue, Method, header};
+use axum::http::{HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use serde_json::json;
 
 /// A page of this service may run its own scripts, as its own policy says, but not in the name of this service.
-pub(super) const PAGE_POLICY: HeaderValue =
+const PAGE_POLICY: HeaderValue =
     HeaderValue::from_static("sandbox allow-scripts allow-downloads; frame-ancestors 'none'");
 
 /// The headers of a format.
@@ -52,13 +51,6 @@ fn form(format: PartFormat) -> Form {
     Form { media_type, content_type, ending }
 }
 
-/// How a client requests a part.
-pub(super) struct Asking<'a> {
-    pub(super) method: &'a Method,
-    pub(super) headers: &'a HeaderMap,
-    pub(super) origin: Origin,
-}
-
 /// The chosen answer.
 struct Chosen {
     part: ResultPart,
@@ -67,37 +59,29 @@ struct Chosen {
     content_type: &'static str,
 }
 
-/// Answers a part of a job's result in the requested format.
-pub(super) async fn answer(
-    state: &HttpState,
-    tenant: &Tenant,
-    id: JobId,
-    part: ResultPart,
-    asking: Asking<'_>,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let uids = given_uids(part, &mut query);
-    let Some(format) = choose(part, asking.headers, query)? else {
+/// Answers a part of the result of the job in the path, in the requested format.
+pub(super) async fn answer(mut call: Call, part: ResultPart) -> Result<Response, Problem> {
+    let id = call.id()?;
+    let uids = given_uids(part, &mut call.query);
+    let Some(format) = choose(part, &mut call)? else {
         // 404 comes first, so that the answer reveals nothing about jobs of other tenants.
-        state.service.get(tenant, id).await?;
+        call.service().get(&call.tenant, id).await?;
         return Ok(varying(not_acceptable(part).into_response()));
     };
     let form = form(format);
     let chosen = Chosen { part, format, uids, content_type: form.content_type };
-    let response = content(state, tenant, id, chosen, asking).await?;
+    let response = content(&call, id, chosen).await?;
     Ok(varying(named(response, id, part, form.ending)))
 }
 
 /// Answers a part of a job's result in this format, as bytes to save.
 pub(super) async fn answer_file(
-    state: &HttpState,
-    tenant: &Tenant,
+    call: &Call,
     id: JobId,
     (part, format, uids): (ResultPart, PartFormat, GivenUids),
-    asking: Asking<'_>,
 ) -> Result<Response, Problem> {
     let chosen = Chosen { part, format, uids, content_type: "application/octet-stream" };
-    let mut response = content(state, tenant, id, chosen, asking).await?;
+    let mut response = content(call, id, chosen).await?;
     response.extensions_mut().insert(Gains(gains(form(format).content_type)));
     response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
     Ok(named(response, id, part, Some(form(format).ending.unwrap_or(format.name()))))
@@ -106,35 +90,33 @@ pub(super) async fn answer_file(
 /// The content of a part in this format. It is streamed if it is stored in this format; otherwise it is converted in
 /// memory, which is counted until the answer is sent.
 async fn content(
-    state: &HttpState,
-    tenant: &Tenant,
+    call: &Call,
     id: JobId,
     Chosen { part, format, uids, content_type }: Chosen,
-    Asking { method, headers, origin }: Asking<'_>,
 ) -> Result<Response, Problem> {
-    let presentation = state.service.presentation(tenant, id, part, format, uids).await?;
+    let presentation = call.service().presentation(&call.tenant, id, part, format, uids).await?;
     let etag = format!("\"{}\"", presentation.validator());
-    if is_fresh(headers, &etag) {
+    if is_fresh(&call.headers, &etag) {
         return Ok(not_modified(&etag));
     }
-    Ok(match state.service.present(&presentation).await? {
-        Presented::Stored(blob) => match wanted(method, headers, &etag, blob.n_bytes) {
-            Wanted::Nothing(response) => *response,
-            Wanted::Content { range, with_body } => {
-                let stream = if with_body { Some(state.service.open(&blob, range.clone()).await?) } else { None };
-                streamed(headers, &etag, content_type, blob.n_bytes, range.as_ref(), stream)
-            }
-        },
-        Presented::Converted(bytes) => {
-            let memory = state.answer_memory(tenant, origin, bytes.len()).await?;
-            let mut response = respond(headers, &etag, content_type, Body::new(Counted::new(bytes, memory)));
-            if format == PartFormat::Html {
-                response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, PAGE_POLICY);
-                response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
-            }
-            response
+    match call.service().present(&presentation).await? {
+        Presented::Stored(blob) => {
+            let stored = Stored { etag: &etag, content_type, n_bytes: blob.n_bytes };
+            stored.answer(call, |range| call.service().open(&blob, range)).await
         }
-    })
+        Presented::Converted(bytes) => {
+            let memory = call.memory(bytes.len()).await?;
+            let response = respond(&call.headers, &etag, content_type, Body::new(Counted::new(bytes, memory)));
+            Ok(if format == PartFormat::Html { as_page(response) } else { response })
+        }
+    }
+}
+
+/// The answer with the policy of a page.
+pub(super) fn as_page(mut response: Response) -> Response {
+    response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, PAGE_POLICY);
+    response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    response
 }
 
 /// The UIDs that a request supplies for inputs without UIDs, for a part that can be a DICOM object.
@@ -153,13 +135,13 @@ pub(super) fn given_uids(part: ResultPart, query: &mut QueryString) -> GivenUids
 ///
 /// # Errors
 /// `invalid-query`.
-fn choose(part: ResultPart, headers: &HeaderMap, mut query: QueryString) -> Result<Option<PartFormat>, Problem> {
+fn choose(part: ResultPart, call: &mut Call) -> Result<Option<PartFormat>, Problem> {
     let formats = part.formats();
     let words: Vec<_> = formats.iter().map(|&format| (format.name(), format)).collect();
-    let asked = query.word("format", &words);
-    query.finish()?;
+    let asked = call.query.word("format", &words);
+    call.query.finish()?;
     let offered: Vec<_> = formats.iter().map(|&format| form(format).media_type).collect();
-    Ok(asked.or_else(|| preferred(headers, &offered).map(|index| formats[index])))
+    Ok(asked.or_else(|| preferred(&call.headers, &offered).map(|index| formats[index])))
 }
 
 fn not_acceptable(part: ResultPart) -> Problem {

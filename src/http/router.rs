@@ -6,7 +6,7 @@ use super::context::{panic_problem, surround};
 use super::cors::{CorsOrigins, answer_options};
 use super::head::check_head;
 use super::hosts::{AllowedHosts, check_host};
-use super::openapi::document;
+use super::operations::api;
 use super::pace::LeastRate;
 use super::page;
 use super::problem::{Problem, begin_to_count};
@@ -26,8 +26,6 @@ use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::{CompressionLayer, CompressionLevel};
-use utoipa_axum::router::OpenApiRouter;
-use utoipa_axum::routes;
 
 /// Memory for each byte of a body that is decoded: while the body is read, both the body and the decoded form are in
 /// memory.
@@ -251,59 +249,6 @@ pub fn probe_router(state: HttpState) -> Router {
         .route("/metrics", get(routes::system::metrics))
         .fallback(|| async { Problem::new(ProblemKind::RouteNotFound) })
         .with_state(state)
-}
-
-/// Every route with its description.
-pub(super) fn api() -> OpenApiRouter<HttpState> {
-    OpenApiRouter::with_openapi(document())
-        .routes(routes!(routes::jobs::submit, routes::jobs::list))
-        .routes(routes!(routes::jobs::get, routes::jobs::update, routes::jobs::delete))
-        .routes(routes!(routes::jobs::cancel_many))
-        .routes(routes!(routes::jobs::cancel))
-        .routes(routes!(routes::jobs::retry))
-        .routes(routes!(routes::events::events))
-        .routes(routes!(routes::trace::trace))
-        .routes(routes!(routes::result::result))
-        .routes(routes!(routes::result::correspondences))
-        .routes(routes!(routes::result::transform))
-        .routes(routes!(routes::surfaces::surface))
-        .routes(routes!(routes::surfaces::volume))
-        .routes(routes!(routes::surfaces::aligned))
-        .routes(routes!(routes::surfaces::warped))
-        .routes(routes!(routes::result::report))
-        .routes(routes!(routes::files::download))
-        .routes(routes!(routes::changes::list))
-        .routes(routes!(routes::tenant_events::events))
-        .routes(routes!(routes::batches::submit, routes::batches::list))
-        .routes(routes!(routes::batches::get))
-        .routes(routes!(routes::batches::jobs))
-        .routes(routes!(routes::batches::cancel))
-        .routes(routes!(routes::studies::submit, routes::studies::list))
-        .routes(routes!(routes::studies::get, routes::studies::update, routes::studies::delete))
-        .routes(routes!(routes::studies::cancel))
-        .routes(routes!(routes::study_subjects::list, routes::study_subjects::add))
-        .routes(routes!(routes::study_subjects::decide, routes::study_subjects::undecide))
-        .routes(routes!(routes::studies::result))
-        .routes(routes!(routes::studies::report))
-        .routes(routes!(routes::studies::archive))
-        .routes(routes!(routes::meshes::upload, routes::meshes::list))
-        .routes(routes!(routes::meshes::get, routes::meshes::delete))
-        .routes(routes!(routes::meshes::content))
-        .routes(routes!(routes::meshes::surface))
-        .routes(routes!(routes::webhooks::create, routes::webhooks::list))
-        .routes(routes!(routes::webhooks::get, routes::webhooks::update, routes::webhooks::delete))
-        .routes(routes!(routes::webhooks::deliveries))
-        .routes(routes!(routes::webhooks::test))
-        .routes(routes!(routes::keys::create, routes::keys::list))
-        .routes(routes!(routes::keys::get, routes::keys::revoke))
-        .routes(routes!(routes::tickets::create))
-        .routes(routes!(routes::methods::list))
-        .routes(routes!(routes::methods::get))
-        .routes(routes!(routes::system::healthz))
-        .routes(routes!(routes::system::readyz))
-        .routes(routes!(routes::system::metrics))
-        .routes(routes!(routes::system::openapi_json))
-        .routes(routes!(routes::system::problem_type))
 }
 
 /// Answers from this size on are compressed for clients that accept it, bytes.

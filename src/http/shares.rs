@@ -2,13 +2,9 @@
 //! client can exhaust it.
 
 use super::auth::AuthMode;
-use super::router::HttpState;
 use crate::jobs::Tenant;
-use axum::extract::FromRequestParts;
 use axum::http::Extensions;
-use axum::http::request::Parts;
 use std::collections::HashMap;
-use std::convert::Infallible;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -29,14 +25,6 @@ impl Origin {
 
     pub(super) fn of(extensions: &Extensions) -> Self {
         Origin(extensions.get::<Peer>().map(|peer| peer.0))
-    }
-}
-
-impl FromRequestParts<HttpState> for Origin {
-    type Rejection = Infallible;
-
-    async fn from_request_parts(parts: &mut Parts, _: &HttpState) -> Result<Self, Infallible> {
-        Ok(Origin::of(&parts.extensions))
     }
 }
 

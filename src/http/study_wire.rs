@@ -1,9 +1,10 @@
 //! JSON documents of studies.
 
 use super::input_wire::{SubmittedInputDocument, input, maybe_input};
+use super::options::submission_document;
 use super::problem::{ProblemDocument, failure_document};
-use super::strict_json::{Parameters, SentTags, objects};
-use crate::jobs::documents::{BodySide, LabelChoice, MatchParameters, PartialParameters};
+use super::strict_json::objects;
+use crate::jobs::documents::{BodySide, LabelChoice, MatchParameters};
 use crate::jobs::mesh::content_id;
 use crate::jobs::study::{DecisionVerdict, StudyQuestions, SubjectRole};
 use crate::jobs::{OutlinedSubject, Study, StudyOutline, StudyState};
@@ -22,86 +23,68 @@ const MAX_NAMES: usize = 1000;
 /// Most labels of a subject.
 const MAX_LABELS: usize = 256;
 
-/// A study to be submitted.
-#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct StudySubmissionDocument {
-    /// At least three, each with a surface or a label volume.
-    #[serde(deserialize_with = "objects")]
-    pub(crate) subjects: Vec<StudySubjectDocument>,
-    /// The template; without it one is made from the group.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input")]
-    #[schema(value_type = Option<SubmittedInputDocument>)]
-    pub(crate) template: Option<SubmittedInputDocument>,
-    /// On which side of the body the template lies, where subjects have a `side`; needed with a `template`. If absent, that of the
-    /// subject from which it is made, or of most subjects.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) template_side: Option<BodySide>,
-    /// Id of the subject whose surface the template is made from; the one of median volume if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) start: Option<String>,
-    /// Most subjects that the template is made from, spread over the list; 0: all; 12 if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(maximum = 100000)]
-    pub(crate) template_subjects: Option<u32>,
-    /// Most rounds of matching and averaging; 4 if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = 1, maximum = 20)]
-    pub(crate) template_rounds: Option<u32>,
-    /// Take size out of shape: subjects are scaled to one size.
-    #[serde(default)]
-    pub(crate) without_size: bool,
-    /// Origin of the maps: `pairs`, each subject's own match with the template, or `joint`, these matches revised together under a
-    /// model of the group; `pairs` if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) correspondence: Option<String>,
-    /// Subjects among which the consistency of maps is measured, at three matches each; not measured if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(maximum = 1000)]
-    pub(crate) cycles: Option<u32>,
-    /// Covariate whose effect is tested: the difference between its levels, or its slope.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) effect: Option<String>,
-    /// Covariates to adjust for.
-    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "names")]
-    pub(crate) adjust: Vec<String>,
-    /// Level with which the others of a covariate are compared; the first in alphabetical order if absent.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "pairs")]
-    pub(crate) reference: BTreeMap<String, String>,
-    /// Further contrasts: a name, and a sum of columns of the design such as `group:severe - group:mild`.
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "pairs")]
-    pub(crate) contrasts: BTreeMap<String, String>,
-    /// What is tested at every vertex: `normal_displacement`, `log_area`, `thickness`; all if absent.
-    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "names")]
-    pub(crate) measures: Vec<String>,
-    /// Permutations of each test; 2000 if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = 1, maximum = 1000000)]
-    pub(crate) permutations: Option<u32>,
-    /// Parameters of every match.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = PartialParameters, required = false)]
-    pub(crate) parameters: Option<Parameters>,
-    /// Tags of the study and of its matches.
-    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
-    #[schema(value_type = BTreeMap<String, String>, required = false)]
-    pub(crate) tags: SentTags,
-    /// The former name of `tags`, accepted until 0.3.
-    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
-    #[schema(value_type = BTreeMap<String, String>, required = false, deprecated)]
-    pub(crate) labels: SentTags,
-    /// The client's own id of the study.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(max_length = 200)]
-    pub(crate) external_ref: Option<String>,
-    /// Its jobs run before those with a lower priority.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = -100, maximum = 100)]
-    pub(crate) priority: Option<i32>,
-    /// Longest run time of a match, s, up to the limit of the service.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = 1)]
-    pub(crate) max_run_s: Option<u64>,
+submission_document! {
+    /// A study to be submitted.
+    struct StudySubmissionDocument {
+        /// At least three, each with a surface or a label volume.
+        #[serde(deserialize_with = "objects")]
+        pub(crate) subjects: Vec<StudySubjectDocument>,
+        /// The template; without it one is made from the group.
+        #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input")]
+        #[schema(value_type = Option<SubmittedInputDocument>)]
+        pub(crate) template: Option<SubmittedInputDocument>,
+        /// On which side of the body the template lies, where subjects have a `side`; needed with a `template`. If absent, that of the
+        /// subject from which it is made, or of most subjects.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pub(crate) template_side: Option<BodySide>,
+        /// Id of the subject whose surface the template is made from; the one of median volume if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pub(crate) start: Option<String>,
+        /// Most subjects that the template is made from, spread over the list; 0: all; 12 if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schema(maximum = 100000)]
+        pub(crate) template_subjects: Option<u32>,
+        /// Most rounds of matching and averaging; 4 if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schema(minimum = 1, maximum = 20)]
+        pub(crate) template_rounds: Option<u32>,
+        /// Take size out of shape: subjects are scaled to one size.
+        #[serde(default)]
+        pub(crate) without_size: bool,
+        /// Origin of the maps: `pairs`, each subject's own match with the template, or `joint`, these matches revised together under a
+        /// model of the group; `pairs` if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pub(crate) correspondence: Option<String>,
+        /// Subjects among which the consistency of maps is measured, at three matches each; not measured if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schema(maximum = 1000)]
+        pub(crate) cycles: Option<u32>,
+        /// Covariate whose effect is tested: the difference between its levels, or its slope.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pub(crate) effect: Option<String>,
+        /// Covariates to adjust for.
+        #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "names")]
+        pub(crate) adjust: Vec<String>,
+        /// Level with which the others of a covariate are compared; the first in alphabetical order if absent.
+        #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "pairs")]
+        pub(crate) reference: BTreeMap<String, String>,
+        /// Further contrasts: a name, and a sum of columns of the design such as `group:severe - group:mild`.
+        #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "pairs")]
+        pub(crate) contrasts: BTreeMap<String, String>,
+        /// What is tested at every vertex: `normal_displacement`, `log_area`, `thickness`; all if absent.
+        #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "names")]
+        pub(crate) measures: Vec<String>,
+        /// Permutations of each test; 2000 if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schema(minimum = 1, maximum = 1000000)]
+        pub(crate) permutations: Option<u32>,
+    } options {
+        parameters: "Parameters of every match.",
+        tags: "Tags of the study and of its matches.",
+        external_ref: "The client's own id of the study.",
+        priority: "Its jobs run before those with a lower priority.",
+        max_run_s: "Longest run time of a match, s, up to the limit of the service."
+    }
 }
 
 impl StudySubmissionDocument {

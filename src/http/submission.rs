@@ -1,9 +1,10 @@
 //! Reading submissions: a multipart form or JSON, with the same fields and the same checks.
 
 use super::input_wire::{Content, SubmittedInputDocument, input};
+use super::options::{SentOptions, submission_document};
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
-use super::router::HttpLimits;
+use super::router::{HttpLimits, HttpState};
 use super::strict_json::{FORMER_TAGS, Parameters, SentTags, parse, parse_parameters, tags_of};
 use super::upload::{Tap, name_hint, read_field};
 use crate::jobs::documents::PartialParameters;
@@ -16,9 +17,7 @@ use axum::extract::{FromRequest, Multipart};
 use axum::http::header;
 use bytes::{Bytes, BytesMut};
 use http_body_util::BodyExt as _;
-use jiff::Timestamp;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -77,59 +76,24 @@ pub(crate) struct SubmissionForm {
     use_cache: Option<bool>,
 }
 
-/// A submission in JSON.
-#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct SubmissionDocument {
-    /// The surface that is moved onto the target.
-    #[serde(deserialize_with = "input")]
-    pub(crate) source: SubmittedInputDocument,
-    /// The surface that stays in place.
-    #[serde(deserialize_with = "input")]
-    pub(crate) target: SubmittedInputDocument,
-    /// Parameters that differ from the preset that `method` names.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = PartialParameters, required = false)]
-    pub(crate) parameters: Option<Parameters>,
-    /// Tags of the client's choice: at most 64, keys of 1 to 256 bytes, values of at most 256.
-    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
-    #[schema(value_type = BTreeMap<String, String>, required = false)]
-    pub(crate) tags: SentTags,
-    /// The former name of `tags`, accepted until 0.3.
-    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
-    #[schema(value_type = BTreeMap<String, String>, required = false, deprecated)]
-    pub(crate) labels: SentTags,
-    /// The client's own id.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(max_length = 200)]
-    pub(crate) external_ref: Option<String>,
-    /// Jobs with a higher priority run first.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = -100, maximum = 100)]
-    pub(crate) priority: Option<i32>,
-    /// The job expires if it has not started by this time.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Option<String>, format = DateTime)]
-    pub(crate) deadline_at: Option<Timestamp>,
-    /// Longest run time, s, up to the limit of the service.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = 1)]
-    pub(crate) max_run_s: Option<u64>,
-    /// Whether the result of an equal job may be returned; true if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) use_cache: Option<bool>,
-}
-
-/// The fields of a submission besides inputs and parameters, as sent.
-#[derive(Debug, Default)]
-pub(crate) struct SentDetails {
-    pub(crate) tags: SentTags,
-    pub(crate) labels: SentTags,
-    pub(crate) external_ref: Option<String>,
-    pub(crate) priority: Option<i32>,
-    pub(crate) deadline_at: Option<Timestamp>,
-    pub(crate) max_run_s: Option<u64>,
-    pub(crate) use_cache: Option<bool>,
+submission_document! {
+    /// A submission in JSON.
+    struct SubmissionDocument {
+        /// The surface that is moved onto the target.
+        #[serde(deserialize_with = "input")]
+        pub(crate) source: SubmittedInputDocument,
+        /// The surface that stays in place.
+        #[serde(deserialize_with = "input")]
+        pub(crate) target: SubmittedInputDocument,
+    } options {
+        parameters: "Parameters that differ from the preset that `method` names.",
+        tags: "Tags of the client's choice: at most 64, keys of 1 to 256 bytes, values of at most 256.",
+        external_ref: "The client's own id.",
+        priority: "Jobs with a higher priority run first.",
+        max_run_s: "Longest run time, s, up to the limit of the service.",
+        deadline_at: "The job expires if it has not started by this time.",
+        use_cache: "Whether the result of an equal job may be returned; true if absent."
+    }
 }
 
 /// A submission after reading.
@@ -470,41 +434,30 @@ impl Fields {
     }
 
     /// Takes a JSON submission.
-    fn take_document(&mut self, document: SubmissionDocument, max_file_bytes: usize) {
-        let SubmissionDocument {
-            source,
-            target,
-            parameters,
-            tags,
-            labels,
-            external_ref,
-            priority,
-            deadline_at,
-            max_run_s,
-            use_cache,
-        } = document;
+    fn take_document(&mut self, mut document: SubmissionDocument, max_file_bytes: usize) {
+        let options = document.take_options();
         let files = SentFiles::default();
-        self.source = self.take_input("source", source, &files, max_file_bytes);
-        self.target = self.take_input("target", target, &files, max_file_bytes);
-        if let Some(parameters) = parameters {
-            self.take_parameters(parameters);
-        }
-        self.take_details(SentDetails { tags, labels, external_ref, priority, deadline_at, max_run_s, use_cache });
+        self.source = self.take_input("source", document.source, &files, max_file_bytes);
+        self.target = self.take_input("target", document.target, &files, max_file_bytes);
+        self.take_options(options);
     }
 
-    fn take_details(&mut self, details: SentDetails) {
-        self.take_tags(details.tags, details.labels);
-        if let Some(text) = details.external_ref {
+    fn take_options(&mut self, options: SentOptions) {
+        if let Some(parameters) = options.parameters {
+            self.take_parameters(parameters);
+        }
+        self.take_tags(options.tags, options.labels);
+        if let Some(text) = options.external_ref {
             self.take_external_ref(text);
         }
-        if let Some(priority) = details.priority {
+        if let Some(priority) = options.priority {
             self.take_priority(Some(priority));
         }
-        self.details.deadline_at = details.deadline_at;
-        if let Some(seconds) = details.max_run_s {
+        self.details.deadline_at = options.deadline_at;
+        if let Some(seconds) = options.max_run_s {
             self.take_max_run(Some(seconds));
         }
-        self.details.compute_anew = details.use_cache == Some(false);
+        self.details.compute_anew = options.use_cache == Some(false);
     }
 
     fn take_input(
@@ -617,21 +570,13 @@ impl Fields {
     }
 }
 
-/// Checks the fields of a JSON body other than inputs, like those of a job.
+/// Checks the members of a JSON body other than inputs, like those of a job.
 ///
 /// # Errors
 /// All their faults.
-pub(super) fn check_details(
-    parameters: Option<Parameters>,
-    details: SentDetails,
-    limits: &HttpLimits,
-    accepted: &SubmissionLimits,
-) -> Result<(Value, Details), Problem> {
-    let mut fields = Fields::under(limits, accepted);
-    if let Some(parameters) = parameters {
-        fields.take_parameters(parameters);
-    }
-    fields.take_details(details);
+pub(super) fn check_options(options: SentOptions, state: &HttpState) -> Result<(Value, Details), Problem> {
+    let mut fields = Fields::under(&state.limits, state.service.limits());
+    fields.take_options(options);
     if !fields.faults.is_empty() {
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&fields.faults));
     }

@@ -1,41 +1,28 @@
 //! Resources that can be read with a ticket in the query: the events of a job or of all jobs, and downloads. Other
 //! operations take no ticket.
 
-use super::audit::RECORDED_READS;
+use super::operations::OPERATIONS;
 use super::problem::Problem;
-use super::router::{HttpState, api};
+use super::router::HttpState;
 use crate::jobs::{JobId, Ticket};
 use axum::extract::MatchedPath;
 use axum::http::request::Parts;
 use axum::http::{Extensions, Method};
-use std::sync::LazyLock;
 use url::form_urlencoded;
 
 /// Name of the query parameter.
 pub(super) const TICKET: &str = "ticket";
-/// Operations other than downloads that take tickets.
-const FOLLOW: [&str; 2] = ["follow_job", "follow_jobs"];
 /// The events of all jobs.
 const EVENTS: &str = "/v1/events";
 
-/// Whether an operation takes tickets.
-pub(super) fn takes_tickets(operation: &str) -> bool {
-    FOLLOW.contains(&operation) || RECORDED_READS.contains(&operation)
-}
-
 /// The routes that take tickets.
-static ROUTES: LazyLock<Vec<String>> = LazyLock::new(|| {
-    let (_, document) = api().split_for_parts();
-    let of_tickets = document.paths.paths.into_iter().filter(|(_, item)| {
-        let name = item.get.as_ref().and_then(|operation| operation.operation_id.as_deref());
-        name.is_some_and(takes_tickets)
-    });
-    of_tickets.map(|(path, _)| path).collect()
-});
+fn routes() -> impl Iterator<Item = &'static str> {
+    OPERATIONS.iter().filter(|operation| operation.takes_tickets()).map(|operation| operation.path)
+}
 
 /// Whether the route of a request takes tickets.
 pub(super) fn is_ticketed(extensions: &Extensions) -> bool {
-    extensions.get::<MatchedPath>().is_some_and(|path| ROUTES.iter().any(|route| route == path.as_str()))
+    extensions.get::<MatchedPath>().is_some_and(|path| routes().any(|route| route == path.as_str()))
 }
 
 /// Whether a ticket can be for this path: the events of all jobs, a job, a study, an upload, or a path below one of
@@ -53,7 +40,7 @@ pub(super) fn is_path_for_tickets(path: &str) -> bool {
         }),
         _ => false,
     };
-    let below = |route: &&String| {
+    let below = |route: &str| {
         let template: Vec<&str> = route.split('/').skip(4).collect();
         let fits = |(name, part): (&&str, &&str)| {
             name == part
@@ -64,7 +51,7 @@ pub(super) fn is_path_for_tickets(path: &str) -> bool {
         };
         route.split('/').nth(2) == Some(kind) && template.len() == rest.len() && template.iter().zip(rest).all(fits)
     };
-    is_id && (rest.is_empty() || ROUTES.iter().any(|route| below(&route)))
+    is_id && (rest.is_empty() || routes().any(below))
 }
 
 /// The ticket of a request, if it has one that permits it.
@@ -91,7 +78,7 @@ mod tests {
     fn tickets_are_for_events_and_downloads_only() {
         let (job, mesh) =
             ("/v1/jobs/019d8a1b-2c3d-7e4f-8a5b-000000000001", format!("/v1/meshes/blake3:{}", "0a".repeat(32)));
-        assert_eq!(ROUTES.len(), RECORDED_READS.len() + 2, "{ROUTES:?}");
+        assert_eq!(routes().count(), 16);
         for below in
             ["", "/events", "/result", "/correspondences", "/report", "/surfaces/source", "/files/warped-inverse.ply"]
         {

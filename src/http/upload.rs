@@ -117,8 +117,9 @@ impl Tap {
         self.lock().refusal == Some(Refusal::TooLarge)
     }
 
-    /// Drains the body after an error, so that the client sees the answer. Returns the result unchanged.
-    pub(crate) async fn settle<T, E>(&self, read: Result<T, E>) -> Result<T, E> {
+    /// What `reading` returns. Drains the body after an error, so that the client sees the answer.
+    pub(crate) async fn settle<T, E>(&self, reading: impl Future<Output = Result<T, E>>) -> Result<T, E> {
+        let read = reading.await;
         if read.is_err() {
             self.drain().await;
         }

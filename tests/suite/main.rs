@@ -40,6 +40,7 @@ mod prometheus;
 mod promises;
 mod refusals;
 mod representations;
+mod rights;
 mod runbook;
 mod scheduling;
 mod schemathesis;

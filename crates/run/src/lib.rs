@@ -8,6 +8,7 @@ mod next;
 #[cfg(test)]
 mod numbering_tests;
 pub mod page;
+pub mod plot;
 mod report;
 mod scales;
 mod surfaces;

@@ -21,6 +21,7 @@ use homolog_formats::{VertexArray, VertexValues};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use homolog_primitives::observe::{Observer, checkpoint};
+use homolog_run::plot::standalone;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -119,9 +120,9 @@ pub fn write(
     folder.write("subjects.csv", csv_table(&columns).as_bytes())?;
     folder.write("subjects.parquet", &write_parquet_columns(&columns))?;
     folder.write("effects.csv", effect_table(found).as_bytes())?;
-    written.file("figures/model.svg", plots::standalone(&plots::model(&found.model.quality)).as_bytes())?;
+    written.file("figures/model.svg", standalone(&plots::model(&found.model.quality)).as_bytes())?;
     if let Some(statistics) = found.statistics.as_ref().filter(|statistics| !statistics.whole.is_empty()) {
-        written.file("figures/effects.svg", plots::standalone(&plots::forest(&statistics.whole)).as_bytes())?;
+        written.file("figures/effects.svg", standalone(&plots::forest(&statistics.whole)).as_bytes())?;
     }
     written.finish("figures");
     if folder.read("decisions.csv")?.is_none() {

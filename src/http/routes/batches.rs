@@ -1,92 +1,61 @@
 //! `/v1/batches`: many jobs submitted in one request.
 
-use super::jobs::job_list;
-use super::{batch_id, page};
-use crate::http::auth::{Reader, Rights, Submitter};
+use super::jobs::{cancel_all, job_list};
+use super::{NAMED_FAULTS, accepted};
+use crate::http::call::{Call, PageOf};
 use crate::http::fields::Fields;
 use crate::http::input_wire::{SubmittedInputDocument, input, maybe_input};
-use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
+use crate::http::long_poll::{Resource, Snapshot, Version, Watched, watch};
+use crate::http::options::submission_document;
 use crate::http::preferences::{idempotency_key, marked, traceparent};
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::router::{HttpState, IN_MEMORY};
-use crate::http::shares::Origin;
-use crate::http::strict_json::{Parameters, SentTags, objects, tags_of};
-use crate::http::submission::{SentDetails, SentFiles, check_details, read_with_files, referred};
+use crate::http::router::HttpState;
+use crate::http::strict_json::{SentTags, objects, tags_of};
+use crate::http::submission::{SentFiles, check_options, referred};
 use crate::http::upload::Tap;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
-use crate::jobs::documents::PartialParameters;
 use crate::jobs::follow::Feed;
+use crate::jobs::job::Cursor;
 use crate::jobs::metadata::ExternalRef;
 use crate::jobs::{
-    Accepted, Batch, BatchForm as Form, BatchId, BatchPair, BatchSubmission, JobFilter, JobService, Order, PageRequest,
-    SubmittedInput, Tenant,
+    Accepted, Batch, BatchForm as Form, BatchId, BatchPair, BatchSubmission, JobFilter, Order, SubmittedInput,
 };
 use async_trait::async_trait;
-use axum::Json;
-use axum::extract::{Path, Request, State};
-use axum::http::{HeaderMap, StatusCode, header};
-use axum::response::{IntoResponse, Response};
-use jiff::Timestamp;
+use axum::extract::Request;
+use axum::response::Response;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use utoipa::ToSchema;
 
-/// Most faults listed in an answer.
-const NAMED_FAULTS: usize = 16;
-
-/// A batch: either `template` and `subjects`, or `pairs`.
-#[derive(Debug, Clone, Deserialize, Serialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct BatchSubmissionDocument {
-    /// The target of every job, or its source with `template_as`.
-    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input")]
-    #[schema(value_type = Option<SubmittedInputDocument>)]
-    pub(crate) template: Option<SubmittedInputDocument>,
-    /// What the template is in every job; `target` if absent. With `source` the rows of every answer are the vertices of the
-    /// template, so that answers can be compared vertex by vertex.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = TemplateSide, required = false)]
-    pub(crate) template_as: Option<TemplateSide>,
-    /// The other surface of every job, one job each.
-    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "objects")]
-    pub(crate) subjects: Vec<SubjectDocument>,
-    /// Pairs of source and target, one job each.
-    #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "objects")]
-    pub(crate) pairs: Vec<PairDocument>,
-    /// Parameters of all jobs.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = PartialParameters, required = false)]
-    pub(crate) parameters: Option<Parameters>,
-    /// Tags of the batch and of every job.
-    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
-    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false)]
-    pub(crate) tags: SentTags,
-    /// The former name of `tags`, accepted until 0.3.
-    #[serde(default, skip_serializing_if = "SentTags::is_empty")]
-    #[schema(value_type = std::collections::BTreeMap<String, String>, required = false, deprecated)]
-    pub(crate) labels: SentTags,
-    /// The client's own id of the batch.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(max_length = 200)]
-    pub(crate) external_ref: Option<String>,
-    /// Jobs with a higher priority run first.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = -100, maximum = 100)]
-    pub(crate) priority: Option<i32>,
-    /// A job expires if it has not started by this time.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(value_type = Option<String>, format = DateTime)]
-    pub(crate) deadline_at: Option<Timestamp>,
-    /// Longest run time of a job, s, up to the limit of the service.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schema(minimum = 1)]
-    pub(crate) max_run_s: Option<u64>,
-    /// Whether the result of an equal job may be returned; true if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(crate) use_cache: Option<bool>,
+submission_document! {
+    /// A batch: either `template` and `subjects`, or `pairs`.
+    struct BatchSubmissionDocument {
+        /// The target of every job, or its source with `template_as`.
+        #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "maybe_input")]
+        #[schema(value_type = Option<SubmittedInputDocument>)]
+        pub(crate) template: Option<SubmittedInputDocument>,
+        /// What the template is in every job; `target` if absent. With `source` the rows of every answer are the vertices of the
+        /// template, so that answers can be compared vertex by vertex.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schema(value_type = TemplateSide, required = false)]
+        pub(crate) template_as: Option<TemplateSide>,
+        /// The other surface of every job, one job each.
+        #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "objects")]
+        pub(crate) subjects: Vec<SubjectDocument>,
+        /// Pairs of source and target, one job each.
+        #[serde(default, skip_serializing_if = "Vec::is_empty", deserialize_with = "objects")]
+        pub(crate) pairs: Vec<PairDocument>,
+    } options {
+        parameters: "Parameters of all jobs.",
+        tags: "Tags of the batch and of every job.",
+        external_ref: "The client's own id of the batch.",
+        priority: "Jobs with a higher priority run first.",
+        max_run_s: "Longest run time of a job, s, up to the limit of the service.",
+        deadline_at: "A job expires if it has not started by this time.",
+        use_cache: "Whether the result of an equal job may be returned; true if absent."
+    }
 }
 
 /// What the template of a batch is in every job.
@@ -162,68 +131,27 @@ pub(crate) struct BatchForm {
 /// are uploads, by their ids, small files in base64, or files of the form. Faults name the pair or the subject by its index,
 /// counted from 0, as in `/pairs/3/source`.
 #[utoipa::path(
-    post, path = "/v1/batches", tag = "batches", operation_id = "submit_batch",
-    params(("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters")),
+    post, path = "/v1/batches",
     request_body(content((BatchForm = "multipart/form-data"), (BatchSubmissionDocument = "application/json"))),
-    responses(
-        (status = 202, description = "Accepted", body = BatchDocument, headers(
-            ("Location" = String, description = "The batch"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "More jobs than a batch can have, or pairs that are too large and otherwise suitable", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields, parameters or meshes, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "The queue has no room for all jobs", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 503, description = "Too many uploads at once, or a dependency does not respond", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 202, description = "Accepted", body = BatchDocument))
 )]
-pub(crate) async fn submit(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let headers = request.headers().clone();
-    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
-    let taken = match query.finish() {
-        Ok(()) => take(&state, tenant, request, &tap, &headers).await,
-        Err(problem) => Err(problem),
+pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
+    let taken = async {
+        call.query.finish()?;
+        take(&call, request, &tap).await
     };
     let Accepted { made, replayed } = tap.settle(taken).await?;
     let document = BatchDocument::from(&made);
-    let location = [(header::LOCATION, document.links.batch.clone()), (header::RETRY_AFTER, "1".to_owned())];
-    Ok(marked((StatusCode::ACCEPTED, location, Json(document)).into_response(), replayed))
+    Ok(marked(accepted(&document.links.batch.clone(), document), replayed))
 }
 
-async fn take(
-    state: &HttpState,
-    tenant: Tenant,
-    request: Request,
-    tap: &Tap,
-    headers: &HeaderMap,
-) -> Result<Accepted<Batch>, Problem> {
+async fn take(call: &Call, request: Request, tap: &Tap) -> Result<Accepted<Batch>, Problem> {
+    let Call { state, tenant, headers, .. } = call;
     let idempotency_key = idempotency_key(headers)?;
-    state.begin_reading(tap, &tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
-    let reading = read_with_files(request, tap, &state.limits);
-    let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
-    let (document, files): (BatchSubmissionDocument, SentFiles) =
-        reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
-    let BatchSubmissionDocument {
-        template,
-        template_as,
-        subjects,
-        pairs,
-        parameters,
-        tags,
-        labels,
-        external_ref,
-        priority,
-        deadline_at,
-        max_run_s,
-        use_cache,
-    } = document;
-    let details = SentDetails { tags, labels, external_ref, priority, deadline_at, max_run_s, use_cache };
-    let (parameters, mut details) = check_details(parameters, details, &state.limits, state.service.limits())?;
+    let (mut document, files): (BatchSubmissionDocument, _) = call.document(request, tap).await?;
+    let (parameters, mut details) = check_options(document.take_options(), state)?;
+    let BatchSubmissionDocument { template, template_as, subjects, pairs, .. } = document;
     details.traceparent = traceparent(headers);
     let form = match (template.is_some(), template_as) {
         (false, _) => Form::Pairs,
@@ -250,8 +178,8 @@ async fn take(
         inputs.faults.truncate(NAMED_FAULTS);
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&inputs.faults));
     }
-    let submission =
-        BatchSubmission { tenant, inputs: inputs.taken, form, pairs, parameters, details, idempotency_key };
+    let (tenant, inputs) = (tenant.clone(), inputs.taken);
+    let submission = BatchSubmission { tenant, inputs, form, pairs, parameters, details, idempotency_key };
     Ok(state.service.submit_batch(submission).await?)
 }
 
@@ -340,26 +268,10 @@ impl Inputs<'_> {
 /// List batches
 ///
 /// `fields` selects members of each entry, as in the list of jobs.
-#[utoipa::path(
-    get, path = "/v1/batches", tag = "batches", operation_id = "list_batches",
-    params(
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
-    ),
-    responses(
-        (status = 200, description = "A page", body = BatchListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn list(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let (size, after) = page(&mut query);
-    let fields = Fields::<BatchDocument>::of(&mut query);
-    query.finish()?;
-    let page = state.service.batches(&tenant, size, after).await?;
+#[utoipa::path(get, path = "/v1/batches", responses((status = 200, description = "A page", body = BatchListDocument)))]
+pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+    let PageOf { size, after, fields } = call.last_page::<_, BatchDocument>(Cursor::from_token)?;
+    let page = call.service().batches(&call.tenant, size, after).await?;
     let batches = page.batches.iter().map(BatchDocument::from).collect();
     let next_page_token = page.next.map(|cursor| cursor.to_token());
     fields.answer(&BatchListDocument { batches, next_page_token }, "batches")
@@ -370,55 +282,26 @@ pub(crate) async fn list(
 /// With `wait` the answer is delayed until the batch has changed, as for a job. The end of the last job is answered at
 /// once, other changes of the counts one second after the request at the earliest. A finished batch is answered at once.
 #[utoipa::path(
-    get, path = "/v1/batches/{id}", tag = "batches", operation_id = "get_batch",
-    params(
-        ("id" = String, Path, description = "The batch"),
-        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the batch has not changed since"),
-    ),
-    responses(
-        (status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
-        (status = 304, description = "The batch has not changed since the version that `If-None-Match` names"),
-        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/batches/{id}",
+    responses((status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument))
 )]
-pub(crate) async fn get(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    rights: Rights,
-    Path(id): Path<String>,
-    origin: Origin,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let wait = wait_of(&mut query, &state);
-    query.finish()?;
-    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
-    let batch = WatchedBatch { service: &state.service, tenant, id: batch_id(&id)? };
-    answer(&state, &headers, &rights, wait, &batch).await
-}
-
-struct WatchedBatch<'a> {
-    service: &'a JobService,
-    tenant: Tenant,
-    id: BatchId,
+pub(crate) async fn get(call: Call) -> Result<Response, Problem> {
+    watch::<BatchId, BatchDocument>(call, Fields::all).await
 }
 
 #[async_trait]
-impl Resource for WatchedBatch<'_> {
+impl Resource for Watched<BatchId, BatchDocument> {
     type Seen = Batch;
 
     async fn look(&self) -> Result<Snapshot, Problem> {
-        let batch = self.service.batch(&self.tenant, self.id).await?;
+        let batch = self.call.service().batch(&self.call.tenant, self.id).await?;
         let document = BatchDocument::from(&batch);
-        let body = serde_json::to_vec(&document).map_err(|e| Problem::internal(&e))?;
+        let body = self.fields.json(&document)?;
         Ok(Snapshot { version: version(document)?, body, is_final: batch.is_finished(), memory: None })
     }
 
     async fn follow(&self) -> Result<Arc<Feed<Batch>>, Problem> {
-        Ok(self.service.follow_batch(&self.tenant, self.id).await?)
+        Ok(self.call.service().follow_batch(&self.call.tenant, self.id).await?)
     }
 
     fn version(&self, seen: &Batch) -> Result<Version, Problem> {
@@ -436,53 +319,29 @@ fn version(mut document: BatchDocument) -> Result<Version, Problem> {
 ///
 /// `fields` selects members of each job, as in the list of jobs.
 #[utoipa::path(
-    get, path = "/v1/batches/{id}/jobs", tag = "batches", operation_id = "list_batch_jobs",
-    params(
-        ("id" = String, Path, description = "The batch"),
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of jobs; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
-    ),
-    responses(
-        (status = 200, description = "A page, in the order of submission", body = JobListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/batches/{id}/jobs",
+    responses((status = 200, description = "A page, in the order of submission", body = JobListDocument))
 )]
-pub(crate) async fn jobs(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let (size, after) = page(&mut query);
-    let fields = Fields::of(&mut query);
-    query.finish()?;
-    let id = state.service.batch(&tenant, batch_id(&id)?).await?.id;
-    let filter = JobFilter { batch_id: Some(id), ..JobFilter::default() };
-    let page = state.service.list(&tenant, &filter, &PageRequest { size, after, order: Order::OldestFirst }).await?;
-    job_list(&page, &fields)
+pub(crate) async fn jobs(mut call: Call) -> Result<Response, Problem> {
+    let page = call.last_page(Cursor::from_token)?;
+    let filter = jobs_of(&call).await?;
+    job_list(&call, page, &filter, Order::OldestFirst).await
+}
+
+/// The jobs of the batch in the path.
+async fn jobs_of(call: &Call) -> Result<JobFilter, Problem> {
+    let batch = call.service().batch(&call.tenant, call.id()?).await?;
+    Ok(JobFilter { batch_id: Some(batch.id), ..JobFilter::default() })
 }
 
 /// Cancel a batch
 ///
 /// Cancels all its unfinished jobs: queued ones at once, running ones within a second.
 #[utoipa::path(
-    post, path = "/v1/batches/{id}/cancel", tag = "batches", operation_id = "cancel_batch",
-    params(("id" = String, Path, description = "The batch")),
-    responses(
-        (status = 202, description = "Cancellation requested", body = BulkCancelDocument),
-        (status = 404, description = "No such batch", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    post, path = "/v1/batches/{id}/cancel",
+    responses((status = 202, description = "Cancellation requested", body = BulkCancelDocument))
 )]
-pub(crate) async fn cancel(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<(StatusCode, Json<BulkCancelDocument>), Problem> {
-    query.finish()?;
-    let id = state.service.batch(&tenant, batch_id(&id)?).await?.id;
-    let filter = JobFilter { batch_id: Some(id), ..JobFilter::default() };
-    let done = state.service.cancel_all(&tenant, &filter).await?;
-    Ok((StatusCode::ACCEPTED, Json(BulkCancelDocument { cancelled: done.cancelled, told: done.told })))
+pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
+    call.query.finish()?;
+    cancel_all(&call, &jobs_of(&call).await?).await
 }

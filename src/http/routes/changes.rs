@@ -1,15 +1,12 @@
 //! `/v1/changes`: the feed of state changes.
 
-use crate::http::auth::{Reader, Rights};
+use crate::http::call::Call;
 use crate::http::fields::Fields;
 use crate::http::long_poll::wait_of;
-use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem::Problem;
 use crate::http::query::QueryString;
-use crate::http::router::HttpState;
-use crate::http::shares::Origin;
 use crate::http::wire::{ChangeDocument, ChangesDocument};
 use crate::jobs::Scope;
-use axum::extract::State;
 use axum::response::Response;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -42,7 +39,7 @@ where
 /// without changes is delayed until there is one, or until the wait is over. `fields` selects members of each change, as in
 /// the list of jobs.
 #[utoipa::path(
-    get, path = "/v1/changes", tag = "jobs", operation_id = "list_changes",
+    get, path = "/v1/changes",
     params(
         ("since" = Option<u64>, Query, description = "Only changes after this number; 0 if absent"),
         ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
@@ -50,29 +47,19 @@ where
         ("page_size" = Option<u32>, Query, minimum = 1, maximum = 5000, description = "The same as `limit`, as in the other lists"),
         ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page; the same as `since`"),
     ),
-    responses(
-        (status = 200, description = "Changes", body = ChangesDocument),
-        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 200, description = "Changes", body = ChangesDocument))
 )]
-pub(crate) async fn list(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    rights: Rights,
-    origin: Origin,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let since = either(&mut query, ["since", "page_token"], 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
-    let limit = either(&mut query, ["limit", "page_size"], 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
-    let wait = wait_of(&mut query, &state);
-    let fields = Fields::<ChangeDocument>::of(&mut query);
-    query.finish()?;
-    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
+pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+    let since = either(&mut call.query, ["since", "page_token"], 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
+    let limit = either(&mut call.query, ["limit", "page_size"], 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
+    let wait = wait_of(&mut call.query, &call.state);
+    let fields = Fields::<ChangeDocument>::of(&mut call.query);
+    call.query.finish()?;
+    let _place = call.place(wait)?;
     let until = Instant::now() + wait;
-    let mut page = state.service.changes(&tenant, since, limit).await?;
+    let mut page = call.service().changes(&call.tenant, since, limit).await?;
     if page.changes.is_empty() && !wait.is_zero() {
-        let feed = state.service.follow_changes(&tenant, since);
+        let feed = call.service().follow_changes(&call.tenant, since);
         let mut seen = feed.seen();
         let appear = async {
             // An error means that the reader has ended; the store is then read.
@@ -82,11 +69,11 @@ pub(crate) async fn list(
         tokio::select! {
             () = appear => {}
             () = tokio::time::sleep_until(until) => {}
-            () = state.stop.cancelled() => {}
+            () = call.state.stop.cancelled() => {}
         }
         // A key may have been revoked during the wait.
-        rights.ask(Scope::Read).await?;
-        page = state.service.changes(&tenant, since, limit).await?;
+        call.rights.ask(Scope::Read).await?;
+        page = call.service().changes(&call.tenant, since, limit).await?;
     }
     fields.answer(&ChangesDocument::from(&page), "changes")
 }

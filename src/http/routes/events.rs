@@ -1,17 +1,14 @@
 //! `/v1/jobs/{id}/events`: the events of a job as they happen.
 
-use super::job_id;
-use crate::http::auth::{Reader, Rights};
+use crate::http::auth::Rights;
+use crate::http::call::Call;
 use crate::http::fields::Fields;
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::router::HttpState;
-use crate::http::shares::{Origin, Taken};
+use crate::http::shares::Taken;
 use crate::http::wire::JobDocument;
-use crate::jobs::Job;
 use crate::jobs::follow::{Feed, Seen};
-use axum::extract::{Path, State};
+use crate::jobs::{Job, JobId};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
@@ -35,39 +32,40 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
 /// `done` it gets 204, at which an `EventSource` stops. The stream also ends when the service shuts down; reconnect then. It ends
 /// as well when the key that opened it is revoked, or the token has expired.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/events", tag = "jobs", operation_id = "follow_job",
+    get, path = "/v1/jobs/{id}/events",
     params(
-        ("id" = String, Path, description = "The job"),
         ("fields" = Option<String>, Query, description = "Members of the jobs in `state` and `done`, separated by commas, or `*`; all but `parameters` if absent"),
         ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received"),
     ),
     responses(
         (status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value),
         (status = 204, description = "`Last-Event-ID` is that of `done`: nothing follows"),
-        (status = 400, description = "Invalid Last-Event-ID", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "Too many streams are open", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub(crate) async fn events(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    rights: Rights,
-    Path(id): Path<String>,
-    origin: Origin,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let fields = Fields::of(&mut query);
-    query.finish()?;
-    let (after_seq, is_done) = last_event_id(&headers, parse_id)?.unwrap_or((0, false));
-    let id = job_id(&id)?;
-    if is_done && state.service.get(&tenant, id).await?.state.is_final() {
+pub(crate) async fn events(mut call: Call) -> Result<Response, Problem> {
+    let fields = Fields::of(&mut call.query);
+    call.query.finish()?;
+    let (after_seq, is_done) = last_event_id(&call.headers, parse_id)?.unwrap_or((0, false));
+    let id: JobId = call.id()?;
+    if is_done && call.service().get(&call.tenant, id).await?.state.is_final() {
         return Ok(StatusCode::NO_CONTENT.into_response());
     }
-    let place = state.begin_stream(&tenant, origin)?;
-    let feed = state.service.follow(&tenant, id).await?;
-    let follower = Follower::new(feed, after_seq, fields, state.stop.clone(), rights, place);
+    let place = call.state.begin_stream(&call.tenant, call.origin)?;
+    let feed = call.service().follow(&call.tenant, id).await?;
+    let mut seen = feed.seen();
+    seen.mark_changed(); // the current state is sent too
+    let follower = Follower {
+        seen,
+        stop: call.state.stop,
+        rights: call.rights,
+        fields,
+        last_seq: after_seq,
+        last: None,
+        waiting: VecDeque::new(),
+        ended: false,
+        _feed: feed,
+        _place: place,
+    };
     Ok(as_stream(follower.into_stream()))
 }
 
@@ -124,30 +122,6 @@ pub(in crate::http) fn parse_id(text: &str) -> Option<(u64, bool)> {
 }
 
 impl Follower {
-    fn new(
-        feed: Arc<Feed<Seen>>,
-        last_seq: u64,
-        fields: Fields<JobDocument>,
-        stop: CancellationToken,
-        rights: Rights,
-        place: [Option<Taken>; 2],
-    ) -> Self {
-        let mut seen = feed.seen();
-        seen.mark_changed(); // the current state is sent too
-        Follower {
-            seen,
-            stop,
-            rights,
-            fields,
-            last_seq,
-            last: None,
-            waiting: VecDeque::new(),
-            ended: false,
-            _feed: feed,
-            _place: place,
-        }
-    }
-
     fn into_stream(self) -> impl Stream<Item = Result<Event, Infallible>> {
         futures_util::stream::unfold(self, |mut follower| async move {
             let event = follower.next().await?;

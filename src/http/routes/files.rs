@@ -1,16 +1,10 @@
 //! `/v1/jobs/{id}/files/{name}`: every part of a result in every format, as bytes.
 
-use super::job_id;
-use crate::http::auth::Reader;
-use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::call::Call;
+use crate::http::problem::Problem;
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::representation::{Asking, answer_file, given_uids};
-use crate::http::router::HttpState;
-use crate::http::shares::Origin;
-use crate::jobs::{PartFormat, ResultPart, WarpDirection, WarpSpace};
-use axum::extract::{Path, State};
-use axum::http::{HeaderMap, Method};
+use crate::http::representation::{answer_file, given_uids};
+use crate::jobs::{JobId, PartFormat, ResultPart, WarpDirection, WarpSpace};
 use axum::response::Response;
 
 /// The parts that are files.
@@ -48,50 +42,25 @@ fn parse(name: &str) -> Option<(ResultPart, PartFormat)> {
 ///
 /// A warped surface has the coordinates of the surface onto which it is bent.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/files/{name}", tag = "results", operation_id = "download_file",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("name" = String, Path, description = "A part and a format, such as `correspondences.csv` or `warped.ply`"),
-        ("study_uid" = Option<String>, Query, description = "`dicom`: UID of the study, used where neither input is a DICOM object; its patient is left empty", max_length = 64),
-        ("source_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the source, used where it states none", max_length = 64),
-        ("target_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the target, used where it states none", max_length = 64),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
+    get, path = "/v1/jobs/{id}/files/{name}",
+    params(("name" = String, Path, description = "A part and a format, such as `correspondences.csv` or `warped.ply`")),
     responses(
-        (status = 200, description = "The file", content_type = "application/octet-stream", body = Vec<u8>, headers(
-            ("ETag" = String, description = "Of this file"), ("Content-Disposition" = String, description = "Suggested file name"),
-        )),
+        (status = 200, description = "The file", content_type = "application/octet-stream", body = Vec<u8>, headers(("ETag" = String, description = "Of this file"), ("Content-Disposition" = String, description = "Suggested file name"))),
         (status = 206, description = "The range of the file", content_type = "application/octet-stream", body = Vec<u8>, headers(("Content-Range" = String, description = "The range, and the size of the whole"))),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job, no file of this name, or no inverse correspondences", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "This result cannot be written in this format", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 416, description = "The range is not within the file", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub(crate) async fn download(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path((id, name)): Path<(String, String)>,
-    method: Method,
-    origin: Origin,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let named = parse(&name);
-    let uids = named.map_or_else(Default::default, |(part, _)| given_uids(part, &mut query));
-    query.finish()?;
-    let id = job_id(&id)?;
+pub(crate) async fn download(mut call: Call) -> Result<Response, Problem> {
+    let named = parse(call.segment(1));
+    let uids = named.map_or_else(Default::default, |(part, _)| given_uids(part, &mut call.query));
+    call.query.finish()?;
+    let id: JobId = call.id()?;
     let Some((part, format)) = named else {
         // The job comes first, so that the answer reveals nothing about jobs of other tenants.
-        state.service.get(&tenant, id).await?;
+        call.service().get(&call.tenant, id).await?;
         let detail = "the name must be that of a part and a format, such as correspondences.csv or warped.ply";
         return Err(Problem::new(ProblemKind::RouteNotFound).detail(detail));
     };
-    let asking = Asking { method: &method, headers: &headers, origin };
-    answer_file(&state, &tenant, id, (part, format, uids), asking).await
+    answer_file(&call, id, (part, format, uids)).await
 }
 
 #[cfg(test)]

@@ -1,27 +1,22 @@
 //! `/v1/jobs`: submit, list, get, cancel, retry, delete.
 
-use super::{batch_id, check_priority, job_id, page, small_json, study_id};
-use crate::http::auth::{Reader, Rights, Submitter};
+use super::{accepted, check_priority};
+use crate::http::call::{Call, PageOf, ResourceId};
 use crate::http::fields::Fields;
-use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, answer, wait_of};
+use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, Watched, watch};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
-use crate::http::problem::{Problem, ProblemDocument};
-use crate::http::problem_table::ProblemKind;
+use crate::http::problem::Problem;
 use crate::http::query::QueryString;
-use crate::http::router::{HttpState, IN_MEMORY};
-use crate::http::shares::Origin;
 use crate::http::submission::{self, Request as Submitted, SubmissionDocument, SubmissionForm};
 use crate::http::upload::Tap;
 use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
 use crate::jobs::follow::{Feed, Seen};
-use crate::jobs::{
-    Accepted, Job, JobFilter, JobId, JobPage, JobService, JobState, Order, PageRequest, Scope, Submission, Tenant,
-    Validated,
-};
+use crate::jobs::job::Cursor;
+use crate::jobs::{Accepted, Job, JobFilter, JobId, JobState, Order, PageRequest, Scope, Submission, Validated};
 use async_trait::async_trait;
 use axum::Json;
-use axum::extract::{Path, Request, State};
-use axum::http::{HeaderMap, StatusCode, header};
+use axum::extract::Request;
+use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -40,7 +35,7 @@ use utoipa::{IntoParams, PartialSchema, ToSchema};
 /// the first answer. With `Prefer: wait=N` the answer is delayed until the job has finished. A request that equals an
 /// earlier one of the same tenant is answered with the result of that one (`cached`), unless `use_cache` is false.
 #[utoipa::path(
-    post, path = "/v1/jobs", tag = "jobs", operation_id = "submit_job",
+    post, path = "/v1/jobs",
     params(
         ("validate_only" = Option<bool>, Query, description = "`true` checks everything and creates no job"),
         ("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters"),
@@ -49,41 +44,20 @@ use utoipa::{IntoParams, PartialSchema, ToSchema};
     ),
     request_body(content(
         (SubmissionForm = "multipart/form-data"),
-        (SubmissionDocument = "application/json"),
-    )),
+        (SubmissionDocument = "application/json"))),
     responses(
         (status = 200, description = "The job, if it finished within the wait; with `validate_only`, the outcome of the checks", body = SubmissionAnswer),
         (status = 202, description = "Accepted", body = JobDocument, headers(
-            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"),
             ("Idempotency-Replayed" = bool, description = "Present if an earlier request with this Idempotency-Key created the job"))),
-        (status = 400, description = "The body or the query is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 401, description = "No valid API key", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 403, description = "The API key lacks the scope `submit`", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "A mesh does not exist", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "Larger than a limit of the service", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields, parameters or inputs, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 503, description = "Too many uploads at once, or a dependency does not respond", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 507, description = "Out of storage space", body = ProblemDocument, content_type = "application/problem+json"),
     )
 )]
-pub(crate) async fn submit(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    rights: Rights,
-    mut query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let headers = request.headers().clone();
-    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
-    let validate_only = query.word("validate_only", &[("true", true), ("false", false)]).unwrap_or(false);
+pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
+    let validate_only = call.query.word("validate_only", &[("true", true), ("false", false)]).unwrap_or(false);
     // A misspelled `validate_only` must not submit a job.
-    let taken = match query.finish() {
-        Ok(()) => take(&state, tenant.clone(), request, &tap, &headers, validate_only).await,
-        Err(problem) => Err(problem),
+    let taken = async {
+        call.query.finish()?;
+        take(&call, request, &tap, validate_only).await
     };
     let taken = tap.settle(taken).await?;
     // The slot and the memory of the body are free again before the wait for the job.
@@ -92,10 +66,9 @@ pub(crate) async fn submit(
         Taken::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
         Taken::Accepted(accepted_now) => {
             let Accepted { made, replayed } = *accepted_now;
-            let wait = wanted_wait(&headers, MAX_WAIT_S);
-            let response = match wait {
-                Some(wait) => after_wait(&state, &tenant, &rights, made, wait).await?,
-                None => accepted(&made),
+            let response = match wanted_wait(&call.headers, MAX_WAIT_S) {
+                Some(wait) => after_wait(&call, made, wait).await?,
+                None => accepted_job(&made),
             };
             Ok(marked(response, replayed))
         }
@@ -107,24 +80,16 @@ enum Taken {
     Tried(Box<Validated>),
 }
 
-async fn take(
-    state: &HttpState,
-    tenant: Tenant,
-    request: Request,
-    tap: &Tap,
-    headers: &HeaderMap,
-    validate_only: bool,
-) -> Result<Taken, Problem> {
+async fn take(call: &Call, request: Request, tap: &Tap, validate_only: bool) -> Result<Taken, Problem> {
+    let Call { state, tenant, headers, .. } = call;
     let idempotency_key = idempotency_key(headers)?;
-    state.service.refuse_when_full(&tenant).await?;
+    state.service.refuse_when_full(tenant).await?;
     // The submission stays in memory, and is counted, until the job is stored.
-    state.begin_reading(tap, &tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
+    call.begin_reading(tap).await?;
     let reading = submission::read(request, tap, &state.limits, state.service.limits());
-    let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
-    let Submitted { source, target, parameters, mut details } =
-        reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))??;
+    let Submitted { source, target, parameters, mut details } = call.in_time(reading).await?;
     details.traceparent = traceparent(headers);
-    let submission = Submission { tenant, source, target, parameters, details, idempotency_key };
+    let submission = Submission { tenant: tenant.clone(), source, target, parameters, details, idempotency_key };
     Ok(if validate_only {
         Taken::Tried(Box::new(state.service.validate(submission).await?))
     } else {
@@ -133,35 +98,28 @@ async fn take(
 }
 
 /// 202 with the job.
-fn accepted(job: &Job) -> Response {
+fn accepted_job(job: &Job) -> Response {
     let document = JobDocument::from(job);
-    let headers = [(header::LOCATION, document.links.job.clone()), (header::RETRY_AFTER, "1".to_owned())];
-    (StatusCode::ACCEPTED, headers, Json(document)).into_response()
+    accepted(&document.links.job.clone(), document)
 }
 
 /// 200 with the job if it finishes in time, else 202.
-async fn after_wait(
-    state: &HttpState,
-    tenant: &Tenant,
-    rights: &Rights,
-    made: Job,
-    wait: Duration,
-) -> Result<Response, Problem> {
-    let feed = state.service.follow(tenant, made.id).await?;
+async fn after_wait(call: &Call, made: Job, wait: Duration) -> Result<Response, Problem> {
+    let feed = call.service().follow(&call.tenant, made.id).await?;
     let mut seen = feed.seen();
     let ended = seen.wait_for(|seen| seen.job.state.is_final() || seen.removed);
     let ended = tokio::select! {
         ended = tokio::time::timeout(wait, ended) => ended.is_ok(),
-        () = state.stop.cancelled() => false,
+        () = call.state.stop.cancelled() => false,
     };
     // If the key was revoked during the wait, the answer reveals only what an answer without waiting would have said.
-    let mut response = if ended && rights.ask(Scope::Submit).await.is_ok() {
-        let job = state.service.get(tenant, made.id).await?;
+    let mut response = if ended && call.rights.ask(Scope::Submit).await.is_ok() {
+        let job = call.service().get(&call.tenant, made.id).await?;
         let document = JobDocument::from(&job);
         let location = [(header::CONTENT_LOCATION, document.links.job.clone())];
         (StatusCode::OK, location, Json(document)).into_response()
     } else {
-        accepted(&made)
+        accepted_job(&made)
     };
     if let Ok(applied) = header::HeaderValue::from_str(&format!("wait={}", wait.as_secs())) {
         response.headers_mut().insert("preference-applied", applied);
@@ -218,18 +176,8 @@ pub(in crate::http) fn filter(query: &mut QueryString) -> JobFilter {
         }
     }
     filter.external_ref = query.text("external_ref");
-    if let Some(batch) = query.text("batch") {
-        match batch_id(&batch) {
-            Ok(id) => filter.batch_id = Some(id),
-            Err(_) => query.fault("batch", "out_of_range", "must be the id of a batch"),
-        }
-    }
-    if let Some(study) = query.text("study") {
-        match study_id(&study) {
-            Ok(id) => filter.study_id = Some(id),
-            Err(_) => query.fault("study", "out_of_range", "must be the id of a study"),
-        }
-    }
+    filter.batch_id = named(query, "batch");
+    filter.study_id = named(query, "study");
     for parameter in ["tag", FORMER_TAG] {
         for tag in query.all(parameter) {
             match tag_of(&tag) {
@@ -254,6 +202,16 @@ pub(in crate::http) fn filter(query: &mut QueryString) -> JobFilter {
     filter
 }
 
+/// The id of a resource of this kind that the parameter `kind` names.
+fn named<I: ResourceId>(query: &mut QueryString, kind: &str) -> Option<I> {
+    let text = query.text(kind)?;
+    let id = I::parse(&text);
+    if id.is_none() {
+        query.fault(kind, "out_of_range", format!("must be the id of a {kind}"));
+    }
+    id
+}
+
 /// The name and the value of a tag in a query: `name:value`, with `\:` for a colon in the name and `\\` for a backslash.
 fn tag_of(text: &str) -> Option<(String, String)> {
     let mut name = String::new();
@@ -268,9 +226,15 @@ fn tag_of(text: &str) -> Option<(String, String)> {
     None
 }
 
-/// A page of a list of jobs.
-pub(super) fn job_list(page: &JobPage, fields: &Fields<JobDocument>) -> Result<Response, Problem> {
-    fields.answer(&JobListDocument::of(page, fields.asks_for("parameters")), "jobs")
+/// A page of the jobs that match a filter.
+pub(super) async fn job_list(
+    call: &Call,
+    PageOf { size, after, fields }: PageOf<Cursor, JobDocument>,
+    filter: &JobFilter,
+    order: Order,
+) -> Result<Response, Problem> {
+    let page = call.service().list(&call.tenant, filter, &PageRequest { size, after, order }).await?;
+    fields.answer(&JobListDocument::of(&page, fields.asks_for("parameters")), "jobs")
 }
 
 /// List jobs
@@ -279,31 +243,20 @@ pub(super) fn job_list(page: &JobPage, fields: &Fields<JobDocument>) -> Result<R
 /// has, gives the named members of each job only. The other lists can be asked for in the same way. Jobs have their `parameters` only
 /// if `fields` names them, or with `fields=*`, which stands for every member.
 #[utoipa::path(
-    get, path = "/v1/jobs", tag = "jobs", operation_id = "list_jobs",
+    get, path = "/v1/jobs",
     params(
         ("state" = Option<String>, Query, description = "Only jobs in these states; separated by commas, or repeated"),
         FilterParameters,
         ("order" = Option<String>, Query, description = "`desc` (newest first, the default) or `asc`"),
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of jobs; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
     ),
-    responses(
-        (status = 200, description = "A page", body = JobListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 200, description = "A page", body = JobListDocument))
 )]
-pub(crate) async fn list(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let filter = filter(&mut query);
-    let order = query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
-    let (size, after) = page(&mut query);
-    let fields = Fields::of(&mut query);
-    query.finish()?;
-    let page = state.service.list(&tenant, &filter, &PageRequest { size, after, order }).await?;
-    job_list(&page, &fields)
+pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+    let filter = filter(&mut call.query);
+    let order =
+        call.query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
+    let page = call.last_page(Cursor::from_token)?;
+    job_list(&call, page, &filter, order).await
 }
 
 /// Cancel several jobs
@@ -311,33 +264,32 @@ pub(crate) async fn list(
 /// Cancels all unfinished jobs that match the filter: queued ones at once, running ones within a second. Without a filter,
 /// `all=true` is required.
 #[utoipa::path(
-    post, path = "/v1/jobs/cancel", tag = "jobs", operation_id = "cancel_jobs",
+    post, path = "/v1/jobs/cancel",
     params(
         ("state" = Option<String>, Query, description = "Only jobs in this state: `queued` or `running`"),
         FilterParameters,
         ("all" = Option<bool>, Query, description = "`true` to cancel all jobs of the tenant"),
     ),
-    responses(
-        (status = 202, description = "Cancellation requested", body = BulkCancelDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 202, description = "Cancellation requested", body = BulkCancelDocument))
 )]
-pub(crate) async fn cancel_many(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    mut query: QueryString,
-) -> Result<(StatusCode, Json<BulkCancelDocument>), Problem> {
-    let filter = filter(&mut query);
-    let all = query.word("all", &[("true", true), ("false", false)]).unwrap_or(false);
+pub(crate) async fn cancel_many(mut call: Call) -> Result<Response, Problem> {
+    let filter = filter(&mut call.query);
+    let all = call.query.word("all", &[("true", true), ("false", false)]).unwrap_or(false);
     if filter == JobFilter::default() && !all {
-        query.fault("all", "missing", "give a filter, or all=true");
+        call.query.fault("all", "missing", "give a filter, or all=true");
     }
     if filter.states.iter().any(|state| state.is_final()) {
-        query.fault("state", "out_of_range", "only queued and running jobs can be cancelled");
+        call.query.fault("state", "out_of_range", "only queued and running jobs can be cancelled");
     }
-    query.finish()?;
-    let done = state.service.cancel_all(&tenant, &filter).await?;
-    Ok((StatusCode::ACCEPTED, Json(BulkCancelDocument { cancelled: done.cancelled, told: done.told })))
+    call.query.finish()?;
+    cancel_all(&call, &filter).await
+}
+
+/// Cancels the unfinished jobs that match a filter.
+pub(super) async fn cancel_all(call: &Call, filter: &JobFilter) -> Result<Response, Problem> {
+    let done = call.service().cancel_all(&call.tenant, filter).await?;
+    let document = BulkCancelDocument { cancelled: done.cancelled, told: done.told };
+    Ok((StatusCode::ACCEPTED, Json(document)).into_response())
 }
 
 /// Get a job
@@ -352,57 +304,26 @@ pub(crate) async fn cancel_many(
 ///
 /// `fields` selects members: `?fields=id,state,progress` is enough to follow the job, and `?fields=*` has the `parameters` too.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "get_job",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("fields" = Option<String>, Query, description = "Members to be answered, separated by commas, or `*`; all but `parameters` if absent"),
-        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the job has not changed since"),
-    ),
-    responses(
-        (status = 200, description = "The job", body = JobDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
-        (status = 304, description = "The job has not changed since the version that `If-None-Match` names"),
-        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/jobs/{id}",
+    params(("fields" = Option<String>, Query, description = "Members to be answered, separated by commas, or `*`; all but `parameters` if absent")),
+    responses((status = 200, description = "The job", body = JobDocument))
 )]
-pub(crate) async fn get(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    rights: Rights,
-    Path(id): Path<String>,
-    origin: Origin,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let wait = wait_of(&mut query, &state);
-    let fields = Fields::of(&mut query);
-    query.finish()?;
-    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
-    let job = WatchedJob { service: &state.service, tenant, id: job_id(&id)?, fields };
-    answer(&state, &headers, &rights, wait, &job).await
-}
-
-struct WatchedJob<'a> {
-    service: &'a JobService,
-    tenant: Tenant,
-    id: JobId,
-    fields: Fields<JobDocument>,
+pub(crate) async fn get(call: Call) -> Result<Response, Problem> {
+    watch::<JobId, JobDocument>(call, Fields::of).await
 }
 
 #[async_trait]
-impl Resource for WatchedJob<'_> {
+impl Resource for Watched<JobId, JobDocument> {
     type Seen = Seen;
 
     async fn look(&self) -> Result<Snapshot, Problem> {
-        let job = self.service.get(&self.tenant, self.id).await?;
+        let job = self.call.service().get(&self.call.tenant, self.id).await?;
         let body = self.fields.json(&JobDocument::of(&job, self.fields.asks_for("parameters")))?;
         Ok(Snapshot { version: version(JobDocument::from(&job))?, body, is_final: job.state.is_final(), memory: None })
     }
 
     async fn follow(&self) -> Result<Arc<Feed<Seen>>, Problem> {
-        Ok(self.service.follow(&self.tenant, self.id).await?)
+        Ok(self.call.service().follow(&self.call.tenant, self.id).await?)
     }
 
     fn version(&self, seen: &Seen) -> Result<Version, Problem> {
@@ -433,28 +354,14 @@ pub(crate) struct JobChangeDocument {
 ///
 /// Takes effect while the job is queued; one that runs already goes on.
 #[utoipa::path(
-    patch, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "update_job",
-    params(("id" = String, Path, description = "The job")),
+    patch, path = "/v1/jobs/{id}",
     request_body = JobChangeDocument,
-    responses(
-        (status = 200, description = "Changed", body = JobDocument),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is finished", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 200, description = "Changed", body = JobDocument))
 )]
-pub(crate) async fn update(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-    request: Request,
-) -> Result<Json<JobDocument>, Problem> {
-    let JobChangeDocument { priority } = small_json(&state, &tenant, request, query).await?;
+pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<JobDocument>, Problem> {
+    let JobChangeDocument { priority } = call.small_json(request).await?;
     check_priority(priority)?;
-    let job = state.service.set_priority(&tenant, job_id(&id)?, priority).await?;
+    let job = call.service().set_priority(&call.tenant, call.id()?, priority).await?;
     Ok(Json(JobDocument::from(&job)))
 }
 
@@ -462,23 +369,12 @@ pub(crate) async fn update(
 ///
 /// A queued job is cancelled at once, a running one within a second. Cancelling it again changes nothing.
 #[utoipa::path(
-    post, path = "/v1/jobs/{id}/cancel", tag = "jobs", operation_id = "cancel_job",
-    params(("id" = String, Path, description = "The job")),
-    responses(
-        (status = 202, description = "Cancellation requested; `state` becomes `cancelled`", body = JobDocument, headers(
-            ("Location" = String, description = "The job"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is finished", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    post, path = "/v1/jobs/{id}/cancel",
+    responses((status = 202, description = "Cancellation requested; `state` becomes `cancelled`", body = JobDocument))
 )]
-pub(crate) async fn cancel(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    Ok(accepted(&state.service.cancel(&tenant, job_id(&id)?).await?))
+pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
+    let id: JobId = call.last_id()?;
+    Ok(accepted_job(&call.service().cancel(&call.tenant, id).await?))
 }
 
 /// Retry a job
@@ -486,48 +382,22 @@ pub(crate) async fn cancel(
 /// Creates a new job with the inputs and parameters of a finished one, and computes it again. `retry_of` names the finished
 /// one.
 #[utoipa::path(
-    post, path = "/v1/jobs/{id}/retry", tag = "jobs", operation_id = "retry_job",
+    post, path = "/v1/jobs/{id}/retry",
     params(("id" = String, Path, description = "The finished job")),
-    responses(
-        (status = 202, description = "The new job", body = JobDocument, headers(
-            ("Location" = String, description = "The new job"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "Its inputs were deleted at the end of their retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 202, description = "The new job", body = JobDocument, headers(("Location" = String, description = "The new job"))))
 )]
-pub(crate) async fn retry(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    Ok(accepted(&state.service.retry(&tenant, job_id(&id)?, traceparent(&headers)).await?))
+pub(crate) async fn retry(mut call: Call) -> Result<Response, Problem> {
+    let id: JobId = call.last_id()?;
+    Ok(accepted_job(&call.service().retry(&call.tenant, id, traceparent(&call.headers)).await?))
 }
 
 /// Delete a job
 ///
 /// Deletes a finished job with its trace and its result, and its input files unless other jobs use them.
-#[utoipa::path(
-    delete, path = "/v1/jobs/{id}", tag = "jobs", operation_id = "delete_job",
-    params(("id" = String, Path, description = "The job")),
-    responses(
-        (status = 204, description = "Deleted"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn delete(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<StatusCode, Problem> {
-    query.finish()?;
-    state.service.delete(&tenant, job_id(&id)?).await?;
+#[utoipa::path(delete, path = "/v1/jobs/{id}", responses((status = 204, description = "Deleted")))]
+pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
+    let id: JobId = call.last_id()?;
+    call.service().delete(&call.tenant, id).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 

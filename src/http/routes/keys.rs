@@ -1,15 +1,11 @@
 //! `/v1/keys`: API keys of a tenant, managed by its admins.
 
-use super::{DEFAULT_PAGE, MAX_PAGE, small_json};
-use crate::http::auth::Admin;
-use crate::http::fields::Fields;
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::call::{Call, KeyId, PageOf, ResourceId as _};
+use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::router::HttpState;
 use crate::jobs::{ApiKey, Role, Scope, SecretKey};
 use axum::Json;
-use axum::extract::{Path, Request, State};
+use axum::extract::Request;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use jiff::Timestamp;
@@ -112,32 +108,16 @@ impl KeyDocument {
     }
 }
 
-/// The id of a key in a path; 404 for a text that cannot be an id.
-fn key_id(id: &str) -> Result<&str, Problem> {
-    if SecretKey::is_id(id) { Ok(id) } else { Err(Problem::new(ProblemKind::KeyNotFound)) }
-}
-
 /// Create an API key
 ///
 /// The key belongs to the tenant of the request. Only the answer to this request contains it; the service stores a hash.
 #[utoipa::path(
-    post, path = "/v1/keys", tag = "keys", operation_id = "create_key",
+    post, path = "/v1/keys",
     request_body = NewKeyDocument,
-    responses(
-        (status = 201, description = "Created", body = KeyDocument, headers(("Location" = String, description = "The key, without its secret"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The tenant has the maximum number of valid keys", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 201, description = "Created", body = KeyDocument, headers(("Location" = String, description = "The key, without its secret"))))
 )]
-pub(crate) async fn create(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let NewKeyDocument { role, name, expires_days } = small_json(&state, &tenant, request, query).await?;
+pub(crate) async fn create(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let NewKeyDocument { role, name, expires_days } = call.small_json(request).await?;
     let mut faults = Vec::new();
     if name.chars().count() > MAX_NAME || name.chars().any(char::is_control) {
         let detail = format!("must have at most {MAX_NAME} characters, none of them a control character");
@@ -150,7 +130,7 @@ pub(crate) async fn create(
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&faults));
     }
     let valid_for = expires_days.map(|days| Duration::from_secs(u64::from(days) * 86_400));
-    let Some((key, stored)) = state.service.create_key(&tenant, &name, role, valid_for, MAX_KEYS).await? else {
+    let Some((key, stored)) = call.service().create_key(&call.tenant, &name, role, valid_for, MAX_KEYS).await? else {
         let detail = format!("a tenant can have at most {MAX_KEYS} valid keys");
         return Err(Problem::new(ProblemKind::TooManyKeys).detail(detail));
     };
@@ -163,7 +143,7 @@ pub(crate) async fn create(
 /// The position in the list that a `page_token` names.
 pub(in crate::http) fn cursor(token: &str) -> Option<(i64, String)> {
     let (time, id) = token.split_once('.')?;
-    let (time, id) = (i64::from_str_radix(time, 16).ok()?, key_id(id).ok()?.to_owned());
+    let (time, id) = (i64::from_str_radix(time, 16).ok()?, KeyId::parse(id)?.0);
     // A position has exactly one token.
     (token_of(time, &id) == token).then_some((time, id))
 }
@@ -177,31 +157,10 @@ pub(in crate::http) fn token_of(time: i64, id: &str) -> String {
 ///
 /// Those of the tenant of the request, also expired and revoked ones, without their secrets. `fields` selects members of each
 /// entry, as in the list of jobs.
-#[utoipa::path(
-    get, path = "/v1/keys", tag = "keys", operation_id = "list_keys",
-    params(
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
-    ),
-    responses(
-        (status = 200, description = "A page", body = KeyListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn list(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
-    let token = query.text("page_token").filter(|token| !token.is_empty());
-    let after = token.as_deref().and_then(cursor);
-    if token.is_some() && after.is_none() {
-        query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
-    }
-    let fields = Fields::<KeyDocument>::of(&mut query);
-    query.finish()?;
-    let page = state.service.keys(&tenant, size, after).await?;
+#[utoipa::path(get, path = "/v1/keys", responses((status = 200, description = "A page", body = KeyListDocument)))]
+pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+    let PageOf { size, after, fields } = call.last_page::<_, KeyDocument>(cursor)?;
+    let page = call.service().keys(&call.tenant, size, after).await?;
     let keys = page.keys.into_iter().map(|key| KeyDocument::of(key, None)).collect();
     let next_page_token = page.next.map(|(time, id)| token_of(time, &id));
     fields.answer(&KeyListDocument { keys, next_page_token }, "keys")
@@ -209,41 +168,20 @@ pub(crate) async fn list(
 
 /// Get an API key
 #[utoipa::path(
-    get, path = "/v1/keys/{id}", tag = "keys", operation_id = "get_key",
-    params(("id" = String, Path, description = "The public part of the key")),
-    responses(
-        (status = 200, description = "The key, without its secret", body = KeyDocument),
-        (status = 404, description = "No such key", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/keys/{id}",
+    responses((status = 200, description = "The key, without its secret", body = KeyDocument))
 )]
-pub(crate) async fn get(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<Json<KeyDocument>, Problem> {
-    query.finish()?;
-    Ok(Json(KeyDocument::of(state.service.key(&tenant, key_id(&id)?).await?, None)))
+pub(crate) async fn get(mut call: Call) -> Result<Json<KeyDocument>, Problem> {
+    let KeyId(id) = call.last_id()?;
+    Ok(Json(KeyDocument::of(call.service().key(&call.tenant, &id).await?, None)))
 }
 
 /// Revoke an API key
 ///
 /// Every process refuses it from its next request on. Its record stays, so that the audit log can be read.
-#[utoipa::path(
-    delete, path = "/v1/keys/{id}", tag = "keys", operation_id = "revoke_key",
-    params(("id" = String, Path, description = "The public part of the key")),
-    responses(
-        (status = 204, description = "Revoked, now or before"),
-        (status = 404, description = "No such key", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn revoke(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<StatusCode, Problem> {
-    query.finish()?;
-    state.service.revoke_key(&tenant, key_id(&id)?).await?;
+#[utoipa::path(delete, path = "/v1/keys/{id}", responses((status = 204, description = "Revoked, now or before")))]
+pub(crate) async fn revoke(mut call: Call) -> Result<StatusCode, Problem> {
+    let KeyId(id) = call.last_id()?;
+    call.service().revoke_key(&call.tenant, &id).await?;
     Ok(StatusCode::NO_CONTENT)
 }

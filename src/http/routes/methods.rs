@@ -1,6 +1,6 @@
 //! `/v1/methods`: the methods, each with the JSON Schema of its parameters.
 
-use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem::Problem;
 use crate::http::problem_table::ProblemKind;
 use crate::http::router::HttpState;
 use crate::jobs::documents::MatchParameters;
@@ -54,7 +54,7 @@ impl From<MethodDescription> for MethodDocument {
 
 /// List methods
 #[utoipa::path(
-    get, path = "/v1/methods", tag = "methods", operation_id = "list_methods",
+    get, path = "/v1/methods",
     responses((status = 200, description = "All methods, the default first", body = MethodListDocument))
 )]
 pub(crate) async fn list(State(state): State<HttpState>) -> Json<MethodListDocument> {
@@ -63,12 +63,8 @@ pub(crate) async fn list(State(state): State<HttpState>) -> Json<MethodListDocum
 
 /// Get a method
 #[utoipa::path(
-    get, path = "/v1/methods/{name}", tag = "methods", operation_id = "get_method",
-    params(("name" = String, Path, description = "The method")),
-    responses(
-        (status = 200, description = "The method", body = MethodDocument),
-        (status = 404, description = "No such method", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/methods/{name}",
+    responses((status = 200, description = "The method", body = MethodDocument))
 )]
 pub(crate) async fn get(
     State(state): State<HttpState>,

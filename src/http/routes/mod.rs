@@ -21,36 +21,19 @@ pub(crate) mod webhooks;
 
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
-use super::query::QueryString;
-use super::router::{HttpState, IN_MEMORY};
-use super::shares::Origin;
-use super::submission::{ALLOWED_PRIORITIES, PRIORITIES, media_type, read_json};
-use super::upload::Tap;
-use crate::jobs::job::Cursor;
-use crate::jobs::{BatchId, JobId, StudyId, Tenant};
-use axum::extract::Request;
-use serde::de::DeserializeOwned;
+use super::submission::{ALLOWED_PRIORITIES, PRIORITIES};
+use axum::Json;
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use serde::Serialize;
 
-/// Entries of a page by default.
-const DEFAULT_PAGE: u32 = 50;
-/// Most entries of a page.
-const MAX_PAGE: u32 = 500;
-/// Largest body of a request with a small document, bytes.
-const MAX_SMALL_BODY: usize = 64 << 10;
+/// Most faults listed in an answer.
+const NAMED_FAULTS: usize = 16;
 
-/// The job that a path names; a text that cannot be an id names none.
-fn job_id(text: &str) -> Result<JobId, Problem> {
-    JobId::parse(text).ok_or_else(|| Problem::new(ProblemKind::JobNotFound))
-}
-
-/// The batch that a path names.
-fn batch_id(text: &str) -> Result<BatchId, Problem> {
-    BatchId::parse(text).ok_or_else(|| Problem::new(ProblemKind::BatchNotFound))
-}
-
-/// The study that a path names.
-fn study_id(text: &str) -> Result<StudyId, Problem> {
-    StudyId::parse(text).ok_or_else(|| Problem::new(ProblemKind::StudyNotFound))
+/// 202 with what was accepted, and its place.
+fn accepted(place: &str, document: impl Serialize) -> Response {
+    let headers = [(header::LOCATION, place), (header::RETRY_AFTER, "1")];
+    (StatusCode::ACCEPTED, headers, Json(document)).into_response()
 }
 
 /// Refuses a priority that is not allowed.
@@ -60,35 +43,4 @@ fn check_priority(priority: i32) -> Result<(), Problem> {
     }
     let fault = FieldError::new("/priority", "out_of_range", ALLOWED_PRIORITIES);
     Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]))
-}
-
-/// Size and start of a page, from `page_size` and `page_token`.
-fn page(query: &mut QueryString) -> (u32, Option<Cursor>) {
-    let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE);
-    let token = query.text("page_token").filter(|token| !token.is_empty());
-    let after = token.as_deref().and_then(Cursor::from_token);
-    if token.is_some() && after.is_none() {
-        query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
-    }
-    (size, after)
-}
-
-/// The document in the JSON body of a request that is small and has no query.
-async fn small_json<T: DeserializeOwned>(
-    state: &HttpState,
-    tenant: &Tenant,
-    request: Request,
-    query: QueryString,
-) -> Result<T, Problem> {
-    let (request, tap) = Tap::on(request, MAX_SMALL_BODY);
-    let read = async {
-        query.finish()?;
-        if media_type(&request) != "application/json" {
-            return Err(Problem::new(ProblemKind::UnsupportedMediaType));
-        }
-        state.begin_reading(&tap, tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
-        read_json(request, &tap, &state.limits, MAX_SMALL_BODY).await
-    };
-    let read = read.await;
-    tap.settle(read).await
 }

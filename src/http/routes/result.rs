@@ -1,60 +1,39 @@
 //! `/v1/jobs/{id}/result`, `/correspondences`, `/transform` and `/report`.
 
-use super::job_id;
-use crate::http::auth::Reader;
+use crate::http::call::Call;
 use crate::http::conditional::{is_fresh, not_modified, respond};
-use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem::Problem;
 use crate::http::query::QueryString;
-use crate::http::representation::{Asking, answer};
-use crate::http::router::HttpState;
-use crate::http::shares::Origin;
+use crate::http::representation::answer;
 use crate::http::wire::{JobResultDocument, ResultLinks};
 use crate::jobs::documents::{Correspondences, TransformDocument};
 use crate::jobs::{ArtifactKind, BlobStream, JobError, ResultPart, WarpDirection};
 use axum::body::Body;
-use axum::extract::{Path, State};
-use axum::http::{HeaderMap, Method, header};
+use axum::http::header;
 use axum::response::Response;
 use bytes::Bytes;
 use futures_util::StreamExt as _;
 
 /// Get the result
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/result", tag = "results", operation_id = "get_result",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("correspondences" = Option<bool>, Query, description = "`false` omits the correspondences"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
-    responses(
-        (status = 200, description = "The result", body = JobResultDocument, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/jobs/{id}/result",
+    params(("correspondences" = Option<bool>, Query, description = "`false` omits the correspondences")),
+    responses((status = 200, description = "The result", body = JobResultDocument))
 )]
-pub(crate) async fn result(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let with_correspondences = query.word("correspondences", &[("true", true), ("false", false)]).unwrap_or(true);
-    query.finish()?;
-    let id = job_id(&id)?;
-    let document = state.service.result_part(&tenant, id, ArtifactKind::Result).await?;
+pub(crate) async fn result(mut call: Call) -> Result<Response, Problem> {
+    let with_correspondences = call.query.word("correspondences", &[("true", true), ("false", false)]).unwrap_or(true);
+    call.query.finish()?;
+    let id = call.id()?;
+    let document = call.service().result_part(&call.tenant, id, ArtifactKind::Result).await?;
     // Results never change, so the hash of the blob is the ETag.
     let form = if with_correspondences { "full" } else { "brief" };
     let etag = format!("\"{}-{form}\"", &document.key.hash()[..32]);
-    if is_fresh(&headers, &etag) {
+    if is_fresh(&call.headers, &etag) {
         return Ok(not_modified(&etag));
     }
     // Stored JSON objects are joined as text, so that every number keeps its digits. The correspondences, by far the
     // largest part, are streamed.
-    let stored = state.service.read(&document).await?;
+    let stored = call.service().read(&document).await?;
     let mut head = stored.strip_suffix(b"}").ok_or_else(unreadable)?.to_vec();
     let mut tail = b",\"links\":".to_vec();
     tail.extend(serde_json::to_vec(&ResultLinks::of(id)).map_err(|e| Problem::internal(&e))?);
@@ -62,15 +41,15 @@ pub(crate) async fn result(
     let mut length = (head.len() + tail.len()) as u64;
     let mut columns: BlobStream = futures_util::stream::empty().boxed();
     if with_correspondences {
-        let part = state.service.result_part(&tenant, id, ArtifactKind::Correspondences).await?;
+        let part = call.service().result_part(&call.tenant, id, ArtifactKind::Correspondences).await?;
         let name = b",\"correspondences\":";
         head.extend_from_slice(name);
         length += name.len() as u64 + part.n_bytes;
-        columns = state.service.open(&part, None).await?;
+        columns = call.service().open(&part, None).await?;
     }
     let text = |text: Vec<u8>| futures_util::stream::iter([Ok(Bytes::from(text))]);
     let body: BlobStream = text(head).chain(columns).chain(text(tail)).boxed();
-    let mut response = respond(&headers, &etag, "application/json", Body::from_stream(body));
+    let mut response = respond(&call.headers, &etag, "application/json", Body::from_stream(body));
     response.headers_mut().insert(header::CONTENT_LENGTH, length.into());
     Ok(response)
 }
@@ -92,38 +71,18 @@ pub(crate) async fn result(
 /// Described here is the answer in JSON, the default. Generated clients get the other formats as bytes from `download_file`, as
 /// `correspondences.csv` and so on.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/correspondences", tag = "results", operation_id = "get_correspondences",
+    get, path = "/v1/jobs/{id}/correspondences",
     params(
-        ("id" = String, Path, description = "The job"),
         ("format" = Option<String>, Query, description = "`json`, `csv`, `npy`, `npz`, `arrow`, `parquet`, `ply`, `vtk`, `vtp`, `gifti` or `glb`; takes precedence over `Accept`; JSON if neither is given"),
         ("direction" = Option<String>, Query, description = "`forward` (default): from source to target; `inverse`: from target to source, if the job had `both_directions`; `source` is then a vertex of the target, and `target` one of the source"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The correspondence", body = Correspondences, headers(
-            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),
-        )),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job, or no inverse correspondences", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "The correspondence", body = Correspondences, headers(("Content-Disposition" = String, description = "Suggested file name; not with JSON"))),
     )
 )]
-pub(crate) async fn correspondences(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    origin: Origin,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let direction = direction(&mut query);
-    let asking = Asking { method: &method, headers: &headers, origin };
-    answer(&state, &tenant, job_id(&id)?, ResultPart::Correspondences { direction }, asking, query).await
+pub(crate) async fn correspondences(mut call: Call) -> Result<Response, Problem> {
+    let direction = direction(&mut call.query);
+    answer(call, ResultPart::Correspondences { direction }).await
 }
 
 /// `?direction=`; the default is from source to target.
@@ -152,46 +111,14 @@ pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
 /// Described here is the answer in JSON, the default. Generated clients get the other formats as bytes from `download_file`, as
 /// `transform.tfm` and so on.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/transform", tag = "results", operation_id = "get_transform",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`json`, `text`, `tfm`, `lta` or `dicom`; takes precedence over `Accept`; JSON if neither is given"),
-        ("study_uid" = Option<String>, Query, description = "`dicom`: UID of the study, used where neither input is a DICOM object; its patient is left empty", max_length = 64),
-        ("source_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the source, used where it states none", max_length = 64),
-        ("target_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the target, used where it states none", max_length = 64),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
+    get, path = "/v1/jobs/{id}/transform",
+    params(("format" = Option<String>, Query, description = "`json`, `text`, `tfm`, `lta` or `dicom`; takes precedence over `Accept`; JSON if neither is given")),
     responses(
-        (status = 200, description = "The transform", body = TransformDocument, headers(
-            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "Suggested file name; not with JSON and text"),
-        )),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "The transform", body = TransformDocument, headers(("Content-Disposition" = String, description = "Suggested file name; not with JSON and text"))),
     )
 )]
-pub(crate) async fn transform(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    origin: Origin,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    answer(
-        &state,
-        &tenant,
-        job_id(&id)?,
-        ResultPart::Transform,
-        Asking { method: &method, headers: &headers, origin },
-        query,
-    )
-    .await
+pub(crate) async fn transform(call: Call) -> Result<Response, Problem> {
+    answer(call, ResultPart::Transform).await
 }
 
 /// Get the report
@@ -200,35 +127,14 @@ pub(crate) async fn transform(
 /// both surfaces, to be turned with the mouse, in corresponding colors or colored by confidence or residual, the energy over
 /// the iterations, and all numbers, parameters and hashes. It contains no file names.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/report", tag = "results", operation_id = "get_report",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`html`"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
+    get, path = "/v1/jobs/{id}/report",
+    params(("format" = Option<String>, Query, description = "`html`")),
     responses(
-        (status = 200, description = "The page", content((String = "text/html")), headers(
-            ("ETag" = String, description = "Of this page"), ("Vary" = String, description = "`accept`"),
-        )),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "`Accept` allows no HTML", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "The page", content((String = "text/html")), headers(("ETag" = String, description = "Of this page"))),
     )
 )]
-pub(crate) async fn report(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    origin: Origin,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    let asking = Asking { method: &method, headers: &headers, origin };
-    answer(&state, &tenant, job_id(&id)?, ResultPart::Report, asking, query).await
+pub(crate) async fn report(call: Call) -> Result<Response, Problem> {
+    answer(call, ResultPart::Report).await
 }
 
 fn unreadable() -> Problem {

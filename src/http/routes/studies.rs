@@ -1,42 +1,38 @@
 //! `/v1/studies`: studies of groups of subjects.
 
-use super::{check_priority, page, small_json, study_id};
-use crate::http::auth::{Reader, Rights, Submitter};
-use crate::http::content::{Counted, Wanted, streamed, wanted};
+use super::{NAMED_FAULTS, accepted, check_priority};
+use crate::http::call::{Call, PageOf};
+use crate::http::content::{Counted, Stored};
 use crate::http::fields::Fields;
-use crate::http::long_poll::{Resource, Snapshot, Version, answer, wait_of};
+use crate::http::long_poll::{Resource, Snapshot, Version, Watched, watch};
 use crate::http::preferences::{idempotency_key, marked, traceparent};
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::representation::PAGE_POLICY;
-use crate::http::router::{HttpState, IN_MEMORY};
-use crate::http::shares::{Origin, Taken};
+use crate::http::representation::as_page;
+use crate::http::router::HttpState;
+use crate::http::shares::Taken;
 use crate::http::study_wire::{
     StudyChangeDocument, StudyDocument, StudyForm, StudyListDocument, StudyProgressDocument, StudyResultDocument,
     StudySubjectDocument, StudySubmissionDocument,
 };
-use crate::http::submission::{SentDetails, SentFiles, check_details, read_with_files, referred};
+use crate::http::submission::{SentFiles, check_options, referred};
 use crate::http::upload::Tap;
 use crate::jobs::follow::Feed;
+use crate::jobs::job::Cursor;
 use crate::jobs::study_submission::{StudySubmission, SubmittedSubject};
-use crate::jobs::{Accepted, ArtifactKind, Study, StudyId, Tenant};
+use crate::jobs::{Accepted, ArtifactKind, Study, StudyId};
 use async_trait::async_trait;
 use axum::Json;
 use axum::body::Body;
-use axum::extract::{Path, Request, State};
-use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
+use axum::extract::Request;
+use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use serde::de::DeserializeOwned;
 use std::sync::Arc;
 
 /// Longest id of a subject, bytes; file names contain the id.
 const MAX_ID: usize = 200;
 /// Subjects in the document of a study; the list of its subjects has the others.
 const SHOWN_SUBJECTS: usize = 500;
-/// Most faults listed in an answer.
-const NAMED_FAULTS: usize = 16;
-
 /// Submit a study
 ///
 /// A template, given or made from the group, is matched to every subject; from that come a shape model, statistics at every
@@ -44,63 +40,27 @@ const NAMED_FAULTS: usize = 16;
 /// base64, or files of the form. What is asked and all inputs are checked before the answer. The matches are jobs, `GET /v1/jobs?study=ID`. The result
 /// is that of `homolog study` with the same inputs, to the bit.
 #[utoipa::path(
-    post, path = "/v1/studies", tag = "studies", operation_id = "submit_study",
-    params(("Idempotency-Key" = Option<String>, Header, description = "1 to 128 visible ASCII characters")),
+    post, path = "/v1/studies",
     request_body(content((StudyForm = "multipart/form-data"), (StudySubmissionDocument = "application/json"))),
-    responses(
-        (status = 202, description = "Accepted", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "A request with the same Idempotency-Key is in progress", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "More subjects than a study can have, or a body beyond the limits", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields, parameters or inputs, or an Idempotency-Key that was used for another request", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 507, description = "Out of storage space", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 202, description = "Accepted", body = StudyDocument))
 )]
-pub(crate) async fn submit(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let headers = request.headers().clone();
-    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
-    let taken = match query.finish() {
-        Ok(()) => take(&state, tenant, request, &tap, &headers).await,
-        Err(problem) => Err(problem),
+pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
+    let taken = async {
+        call.query.finish()?;
+        take(&call, request, &tap).await
     };
     let Accepted { made, replayed } = tap.settle(taken).await?;
-    Ok(marked(accepted(&made), replayed))
+    Ok(marked(accepted_study(&made), replayed))
 }
 
-async fn take(
-    state: &HttpState,
-    tenant: Tenant,
-    request: Request,
-    tap: &Tap,
-    headers: &HeaderMap,
-) -> Result<Accepted<Study>, Problem> {
+async fn take(call: &Call, request: Request, tap: &Tap) -> Result<Accepted<Study>, Problem> {
+    let Call { state, tenant, headers, .. } = call;
     let idempotency_key = idempotency_key(headers)?;
-    let (document, files): (StudySubmissionDocument, _) = body(state, &tenant, request, tap).await?;
+    let (mut document, files): (StudySubmissionDocument, _) = call.document(request, tap).await?;
     let questions = document.questions();
-    let StudySubmissionDocument {
-        subjects,
-        template,
-        template_rounds,
-        permutations,
-        parameters,
-        tags,
-        labels,
-        external_ref,
-        priority,
-        max_run_s,
-        ..
-    } = document;
-    let details = SentDetails { tags, labels, external_ref, priority, deadline_at: None, max_run_s, use_cache: None };
-    let (parameters, mut details) = check_details(parameters, details, &state.limits, state.service.limits())?;
+    let (parameters, mut details) = check_options(document.take_options(), state)?;
+    let StudySubmissionDocument { subjects, template, template_rounds, permutations, .. } = document;
     details.traceparent = traceparent(headers);
     let mut faults = Vec::new();
     for (name, is_right, allowed) in [
@@ -124,21 +84,9 @@ async fn take(
         }
     });
     let subjects = checked(subjects, &files, state, faults)?;
+    let tenant = tenant.clone();
     let submission = StudySubmission { tenant, subjects, template, questions, parameters, details, idempotency_key };
     Ok(state.service.submit_study(submission).await?)
-}
-
-/// The document in a body that may contain files.
-pub(super) async fn body<T: DeserializeOwned>(
-    state: &HttpState,
-    tenant: &Tenant,
-    request: Request,
-    tap: &Tap,
-) -> Result<(T, SentFiles), Problem> {
-    state.begin_reading(tap, tenant, Origin::of(request.extensions()), IN_MEMORY).await?;
-    let reading = read_with_files(request, tap, &state.limits);
-    let reading = tokio::time::timeout(state.limits.upload_timeout, reading);
-    reading.await.map_err(|_| Problem::new(ProblemKind::UploadTimeout))?
 }
 
 /// Subjects whose fields are within their limits.
@@ -170,35 +118,18 @@ pub(super) fn checked(
 }
 
 /// 202 with the study.
-pub(super) fn accepted(study: &Study) -> Response {
+pub(super) fn accepted_study(study: &Study) -> Response {
     let document = StudyDocument::of(study, None);
-    let headers = [(header::LOCATION, document.links.study.clone()), (header::RETRY_AFTER, "1".to_owned())];
-    (StatusCode::ACCEPTED, headers, Json(document)).into_response()
+    accepted(&document.links.study.clone(), document)
 }
 
 /// List studies
 ///
 /// `fields` selects members of each entry, as in the list of jobs.
-#[utoipa::path(
-    get, path = "/v1/studies", tag = "studies", operation_id = "list_studies",
-    params(
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
-    ),
-    responses(
-        (status = 200, description = "A page", body = StudyListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn list(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let (size, after) = page(&mut query);
-    let fields = Fields::<StudyDocument>::of(&mut query);
-    query.finish()?;
-    let page = state.service.studies(&tenant, size, after).await?;
+#[utoipa::path(get, path = "/v1/studies", responses((status = 200, description = "A page", body = StudyListDocument)))]
+pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+    let PageOf { size, after, fields } = call.last_page::<_, StudyDocument>(Cursor::from_token)?;
+    let page = call.service().studies(&call.tenant, size, after).await?;
     let studies = page.studies.iter().map(|study| StudyDocument::of(study, None)).collect();
     let next_page_token = page.next.map(|cursor| cursor.to_token());
     fields.answer(&StudyListDocument { studies, next_page_token }, "studies")
@@ -210,60 +141,28 @@ pub(crate) async fn list(
 /// `?fields=id,state,progress` is enough to follow it. With `wait` the answer is delayed until the study has changed, as for a job; a
 /// change of progress alone is answered one second after the request at the earliest. A study that has ended is answered at once.
 #[utoipa::path(
-    get, path = "/v1/studies/{id}", tag = "studies", operation_id = "get_study",
-    params(
-        ("id" = String, Path, description = "The study"),
-        ("fields" = Option<String>, Query, description = "Members to be answered, separated by commas; all if absent"),
-        ("wait" = Option<u32>, Query, minimum = 0, maximum = 30, description = "Longest time to wait for a change, s; 0 if absent"),
-        ("If-None-Match" = Option<String>, Header, description = "The ETag of an earlier answer: 304 if the study has not changed since"),
-    ),
-    responses(
-        (status = 200, description = "The study", body = StudyDocument, headers(("ETag" = String, description = "Weak; pass it as `If-None-Match`"))),
-        (status = 304, description = "The study has not changed since the version that `If-None-Match` names"),
-        (status = 429, description = "Too many event streams and long polls are open", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/studies/{id}",
+    params(("fields" = Option<String>, Query, description = "Members to be answered, separated by commas; all if absent")),
+    responses((status = 200, description = "The study", body = StudyDocument))
 )]
-pub(crate) async fn get(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    rights: Rights,
-    origin: Origin,
-    Path(id): Path<String>,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let wait = wait_of(&mut query, &state);
-    let fields = Fields::<StudyDocument>::of(&mut query);
-    query.finish()?;
-    let _place = if wait.is_zero() { None } else { Some(state.begin_stream(&tenant, origin)?) };
-    let study = WatchedStudy { state: &state, tenant, origin, id: study_id(&id)?, fields };
-    answer(&state, &headers, &rights, wait, &study).await
-}
-
-struct WatchedStudy<'a> {
-    state: &'a HttpState,
-    tenant: Tenant,
-    origin: Origin,
-    id: StudyId,
-    fields: Fields<StudyDocument>,
+pub(crate) async fn get(call: Call) -> Result<Response, Problem> {
+    watch::<StudyId, StudyDocument>(call, Fields::of).await
 }
 
 #[async_trait]
-impl Resource for WatchedStudy<'_> {
+impl Resource for Watched<StudyId, StudyDocument> {
     type Seen = Study;
 
     async fn look(&self) -> Result<Snapshot, Problem> {
-        let WatchedStudy { state, tenant, origin, id, fields } = self;
+        let Watched { call, id, fields } = self;
         let memory = match fields.wants("subjects") || fields.wants("parameters") {
-            true => Some(definition_memory(state, tenant, *origin, *id, OUTLINE_MEMORY).await?),
+            true => Some(definition_memory(call, *id, OUTLINE_MEMORY).await?),
             false => None,
         };
-        let study = state.service.study(tenant, *id).await?;
+        let study = call.service().study(&call.tenant, *id).await?;
         let places = 0..if fields.wants("subjects") { SHOWN_SUBJECTS } else { 0 };
         let outline = match memory {
-            Some(_) => state.service.study_outline(tenant, *id, places).await?,
+            Some(_) => call.service().study_outline(&call.tenant, *id, places).await?,
             None => None,
         };
         let body = fields.json(&StudyDocument::of(&study, outline.as_ref()))?;
@@ -271,7 +170,7 @@ impl Resource for WatchedStudy<'_> {
     }
 
     async fn follow(&self) -> Result<Arc<Feed<Study>>, Problem> {
-        Ok(self.state.service.follow_study(&self.tenant, self.id).await?)
+        Ok(self.call.service().follow_study(&self.call.tenant, self.id).await?)
     }
 
     fn version(&self, seen: &Study) -> Result<Version, Problem> {
@@ -290,28 +189,14 @@ fn version(study: &Study) -> Result<Version, Problem> {
 ///
 /// Takes effect on its jobs that are queued and on those to come; what runs already goes on.
 #[utoipa::path(
-    patch, path = "/v1/studies/{id}", tag = "studies", operation_id = "update_study",
-    params(("id" = String, Path, description = "The study")),
+    patch, path = "/v1/studies/{id}",
     request_body = StudyChangeDocument,
-    responses(
-        (status = 200, description = "Changed", body = StudyDocument),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The study is finished", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 200, description = "Changed", body = StudyDocument))
 )]
-pub(crate) async fn update(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-    request: Request,
-) -> Result<Json<StudyDocument>, Problem> {
-    let StudyChangeDocument { priority } = small_json(&state, &tenant, request, query).await?;
+pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<StudyDocument>, Problem> {
+    let StudyChangeDocument { priority } = call.small_json(request).await?;
     check_priority(priority)?;
-    let study = state.service.set_study_priority(&tenant, study_id(&id)?, priority).await?;
+    let study = call.service().set_study_priority(&call.tenant, call.id()?, priority).await?;
     Ok(Json(StudyDocument::of(&study, None)))
 }
 
@@ -329,37 +214,18 @@ pub(super) const CHANGE_MEMORY: u64 = 64;
 pub(super) const OUTLINE_MEMORY: u64 = 4;
 
 /// Memory for reading the definition of a study, `factor` times its stored size, taken before it is read.
-pub(super) async fn definition_memory(
-    state: &HttpState,
-    tenant: &Tenant,
-    origin: Origin,
-    id: StudyId,
-    factor: u64,
-) -> Result<Taken, Problem> {
-    let n_bytes = state.service.study_definition_bytes(tenant, id).await?.saturating_mul(factor);
-    state.answer_memory(tenant, origin, usize::try_from(n_bytes).unwrap_or(usize::MAX)).await
+pub(super) async fn definition_memory(call: &Call, id: StudyId, factor: u64) -> Result<Taken, Problem> {
+    let n_bytes = call.service().study_definition_bytes(&call.tenant, id).await?.saturating_mul(factor);
+    call.memory(usize::try_from(n_bytes).unwrap_or(usize::MAX)).await
 }
 
 /// Delete a study
 ///
 /// Deletes a finished study with its matches and everything that was found, and with those of its inputs that are no uploads.
-#[utoipa::path(
-    delete, path = "/v1/studies/{id}", tag = "studies", operation_id = "delete_study",
-    params(("id" = String, Path, description = "The study")),
-    responses(
-        (status = 204, description = "Deleted"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The study, or a match of it, is not finished", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn delete(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<StatusCode, Problem> {
-    query.finish()?;
-    state.service.delete_study(&tenant, study_id(&id)?).await?;
+#[utoipa::path(delete, path = "/v1/studies/{id}", responses((status = 204, description = "Deleted")))]
+pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
+    let id: StudyId = call.last_id()?;
+    call.service().delete_study(&call.tenant, id).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
@@ -368,52 +234,23 @@ pub(crate) async fn delete(
 /// Cancels the study and its matches: queued ones at once, running ones within a second. What is finished is kept: when a
 /// subject is added or a decision changes, the study goes on from there.
 #[utoipa::path(
-    post, path = "/v1/studies/{id}/cancel", tag = "studies", operation_id = "cancel_study",
-    params(("id" = String, Path, description = "The study")),
-    responses(
-        (status = 202, description = "Cancelled", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The study is finished", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    post, path = "/v1/studies/{id}/cancel",
+    responses((status = 202, description = "Cancelled", body = StudyDocument))
 )]
-pub(crate) async fn cancel(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    Ok(accepted(&state.service.cancel_study(&tenant, study_id(&id)?).await?))
+pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
+    let id: StudyId = call.last_id()?;
+    Ok(accepted_study(&call.service().cancel_study(&call.tenant, id).await?))
 }
 
 /// Get the result of a study
 ///
 /// The `study.json` that `homolog study` writes: subjects, settings, decisions, and under `found` the main figures.
 #[utoipa::path(
-    get, path = "/v1/studies/{id}/result", tag = "studies", operation_id = "get_study_result",
-    params(
-        ("id" = String, Path, description = "The study"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
-    responses(
-        (status = 200, description = "The result", body = StudyResultDocument, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The study is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/studies/{id}/result",
+    responses((status = 200, description = "The result", body = StudyResultDocument))
 )]
-pub(crate) async fn result(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    part(&state, &tenant, &id, ArtifactKind::StudyDocument, "application/json", &method, &headers).await
+pub(crate) async fn result(mut call: Call) -> Result<Response, Problem> {
+    part(&mut call, ArtifactKind::StudyDocument, "application/json").await
 }
 
 /// Get the report of a study
@@ -421,33 +258,11 @@ pub(crate) async fn result(
 /// One HTML page for people, which loads nothing from anywhere: quality control with pictures, maps and modes to turn with the
 /// mouse, effects, the model, consistency, labels, and methods with versions and parameters. It contains the ids of the subjects.
 #[utoipa::path(
-    get, path = "/v1/studies/{id}/report", tag = "studies", operation_id = "get_study_report",
-    params(
-        ("id" = String, Path, description = "The study"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
-    responses(
-        (status = 200, description = "The page", content((String = "text/html")), headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The study is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/studies/{id}/report",
+    responses((status = 200, description = "The page", content((String = "text/html"))))
 )]
-pub(crate) async fn report(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    let kind = ArtifactKind::StudyReport;
-    let mut response = part(&state, &tenant, &id, kind, "text/html; charset=utf-8", &method, &headers).await?;
-    response.headers_mut().insert(header::CONTENT_SECURITY_POLICY, PAGE_POLICY);
-    response.headers_mut().insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
-    Ok(response)
+pub(crate) async fn report(mut call: Call) -> Result<Response, Problem> {
+    part(&mut call, ArtifactKind::StudyReport, "text/html; charset=utf-8").await.map(as_page)
 }
 
 /// Get everything that a study found
@@ -455,32 +270,12 @@ pub(crate) async fn report(
 /// The folder that `homolog study` writes, as a zip archive: tables, surfaces, modes, maps, labels, the report, and the records of
 /// the matches.
 #[utoipa::path(
-    get, path = "/v1/studies/{id}/archive", tag = "studies", operation_id = "get_study_archive",
-    params(
-        ("id" = String, Path, description = "The study"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
-    responses(
-        (status = 200, description = "The archive", content((String = "application/zip")), headers(
-            ("ETag" = String, description = "Pass it as `If-None-Match`"), ("Content-Disposition" = String, description = "Suggested file name"))),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The study is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/studies/{id}/archive",
+    responses((status = 200, description = "The archive", content((String = "application/zip")), headers(("Content-Disposition" = String, description = "Suggested file name"))))
 )]
-pub(crate) async fn archive(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    let kind = ArtifactKind::StudyArchive;
-    let mut response = part(&state, &tenant, &id, kind, "application/zip", &method, &headers).await?;
-    let name = format!("attachment; filename=\"homolog-study-{}.zip\"", study_id(&id)?);
+pub(crate) async fn archive(mut call: Call) -> Result<Response, Problem> {
+    let mut response = part(&mut call, ArtifactKind::StudyArchive, "application/zip").await?;
+    let name = format!("attachment; filename=\"homolog-study-{}.zip\"", call.id::<StudyId>()?);
     if let Ok(value) = HeaderValue::from_str(&name) {
         response.headers_mut().insert(header::CONTENT_DISPOSITION, value);
     }
@@ -488,22 +283,10 @@ pub(crate) async fn archive(
 }
 
 /// A part of a study's result in its stored form, or a range of it.
-async fn part(
-    state: &HttpState,
-    tenant: &Tenant,
-    id: &str,
-    kind: ArtifactKind,
-    content_type: &'static str,
-    method: &Method,
-    headers: &HeaderMap,
-) -> Result<Response, Problem> {
-    let found = state.service.study_part(tenant, study_id(id)?, kind).await?;
+async fn part(call: &mut Call, kind: ArtifactKind, content_type: &'static str) -> Result<Response, Problem> {
+    let id = call.last_id()?;
+    let found = call.service().study_part(&call.tenant, id, kind).await?;
     let etag = format!("\"{}\"", &found.key.hash()[..32]);
-    Ok(match wanted(method, headers, &etag, found.n_bytes) {
-        Wanted::Nothing(response) => *response,
-        Wanted::Content { range, with_body } => {
-            let stream = if with_body { Some(state.service.open(&found, range.clone()).await?) } else { None };
-            streamed(headers, &etag, content_type, found.n_bytes, range.as_ref(), stream)
-        }
-    })
+    let stored = Stored { etag: &etag, content_type, n_bytes: found.n_bytes };
+    stored.answer(call, |range| call.service().open(&found, range)).await
 }

@@ -1,20 +1,16 @@
 //! `/v1/studies/{id}/subjects`: the subjects of a study, and the decisions about them.
 
-use super::studies::{CHANGE_MEMORY, OUTLINE_MEMORY, accepted, body, checked, counted, definition_memory};
-use super::{DEFAULT_PAGE, MAX_PAGE, small_json, study_id};
-use crate::http::auth::{Reader, Submitter};
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use super::studies::{CHANGE_MEMORY, OUTLINE_MEMORY, accepted_study, checked, counted, definition_memory};
+use crate::http::call::Call;
+use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::router::HttpState;
-use crate::http::shares::Origin;
 use crate::http::study_wire::{
     AddedSubjectsDocument, AddedSubjectsForm, DecisionDocument, StudyDocument, StudySubjectListDocument,
     StudySubjectStateDocument,
 };
 use crate::http::upload::Tap;
-use crate::jobs::JobError;
-use axum::extract::{Path, Request, State};
+use crate::jobs::{JobError, StudyId};
+use axum::extract::Request;
 use axum::response::Response;
 
 /// Longest reason of a decision, bytes.
@@ -24,36 +20,14 @@ const MAX_REASON: usize = 1000;
 ///
 /// In the order in which they were added, with what was decided about them; without their covariates, which the result has.
 #[utoipa::path(
-    get, path = "/v1/studies/{id}/subjects", tag = "studies", operation_id = "list_study_subjects",
-    params(
-        ("id" = String, Path, description = "The study"),
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
-    ),
-    responses(
-        (status = 200, description = "A page", body = StudySubjectListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/studies/{id}/subjects",
+    responses((status = 200, description = "A page", body = StudySubjectListDocument))
 )]
-pub(crate) async fn list(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    origin: Origin,
-    Path(id): Path<String>,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let size = query.number("page_size", 1..=MAX_PAGE).unwrap_or(DEFAULT_PAGE) as usize;
-    let token = query.text("page_token").filter(|token| !token.is_empty());
-    let first = token.as_deref().map_or(Some(0), place_of);
-    if first.is_none() {
-        query.fault("page_token", "out_of_range", "must be a next_page_token of an earlier answer");
-    }
-    query.finish()?;
-    let (id, first) = (study_id(&id)?, first.unwrap_or(0));
-    let memory = definition_memory(&state, &tenant, origin, id, OUTLINE_MEMORY).await?;
-    let outline = state.service.study_outline(&tenant, id, first..first.saturating_add(size)).await?;
+pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+    let (size, first) = call.page(place_of);
+    let (id, first) = (call.last_id()?, first.unwrap_or(0));
+    let memory = definition_memory(&call, id, OUTLINE_MEMORY).await?;
+    let outline = call.service().study_outline(&call.tenant, id, first..first.saturating_add(size as usize)).await?;
     let outline = outline.ok_or(JobError::Gone)?;
     let next = first + outline.subjects.len();
     let next_page_token = (next < outline.n_subjects).then(|| token_of(next));
@@ -77,45 +51,25 @@ fn place_of(token: &str) -> Option<usize> {
 ///
 /// Each costs one match; the template is kept. The study goes on, also from a final state.
 #[utoipa::path(
-    post, path = "/v1/studies/{id}/subjects", tag = "studies", operation_id = "add_study_subjects",
-    params(("id" = String, Path, description = "The study")),
+    post, path = "/v1/studies/{id}/subjects",
     request_body(content((AddedSubjectsForm = "multipart/form-data"), (AddedSubjectsDocument = "application/json"))),
-    responses(
-        (status = 202, description = "Accepted", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such study", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 408, description = "The body took too long to arrive", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 413, description = "More subjects than a study can have, or a body beyond the limits", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Neither multipart nor JSON, or an unknown file format", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields or inputs", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "The queue is full", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 202, description = "Accepted", body = StudyDocument))
 )]
-pub(crate) async fn add(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    Path(id): Path<String>,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let origin = Origin::of(request.extensions());
-    let (request, tap) = Tap::on(request, state.limits.max_body_bytes());
+pub(crate) async fn add(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
     let taken = async {
-        query.finish()?;
-        let id = study_id(&id)?;
-        let (AddedSubjectsDocument { subjects }, files) = body(&state, &tenant, request, &tap).await?;
+        call.query.finish()?;
+        let id = call.id()?;
+        let (AddedSubjectsDocument { subjects }, files) = call.document(request, &tap).await?;
         if subjects.is_empty() {
             let fault = FieldError::new("/subjects", "missing", "at least one subject is required");
             return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
         }
-        let subjects = checked(subjects, &files, &state, Vec::new())?;
-        let _memory = definition_memory(&state, &tenant, origin, id, CHANGE_MEMORY).await?;
-        Ok(state.service.add_subjects(&tenant, id, subjects).await?)
+        let subjects = checked(subjects, &files, &call.state, Vec::new())?;
+        let _memory = definition_memory(&call, id, CHANGE_MEMORY).await?;
+        Ok(call.service().add_subjects(&call.tenant, id, subjects).await?)
     };
-    let taken = taken.await;
-    Ok(accepted(&tap.settle(taken).await?))
+    Ok(accepted_study(&tap.settle(taken).await?))
 }
 
 /// Decide about a subject
@@ -123,63 +77,36 @@ pub(crate) async fn add(
 /// A subject that is kept stays in the model and the statistics whatever its match looks like; one that is dropped is left out.
 /// The study is computed again, without a match.
 #[utoipa::path(
-    put, path = "/v1/studies/{id}/subjects/{subject}/decision", tag = "studies", operation_id = "decide_study_subject",
-    params(("id" = String, Path, description = "The study"), ("subject" = String, Path, description = "Id of the subject")),
+    put, path = "/v1/studies/{id}/subjects/{subject}/decision",
+    params(("subject" = String, Path, description = "Id of the subject")),
     request_body = DecisionDocument,
-    responses(
-        (status = 202, description = "Recorded; the study is computed again", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such study, or it has no such subject", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 202, description = "Recorded; the study is computed again", body = StudyDocument))
 )]
-pub(crate) async fn decide(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    origin: Origin,
-    Path((id, subject)): Path<(String, String)>,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let DecisionDocument { decision, reason } = small_json(&state, &tenant, request, query).await?;
+pub(crate) async fn decide(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let DecisionDocument { decision, reason } = call.small_json(request).await?;
     if reason.len() > MAX_REASON || reason.chars().any(char::is_control) {
         let detail = format!("must have at most {MAX_REASON} bytes and no control characters");
         let fault = FieldError::new("/reason", "out_of_range", detail);
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[fault]));
     }
-    let id = study_id(&id)?;
-    let _memory = definition_memory(&state, &tenant, origin, id, CHANGE_MEMORY).await?;
-    let study = state.service.decide(&tenant, id, &subject, Some((decision, reason))).await?;
-    Ok(accepted(&study))
+    let id = call.id()?;
+    let _memory = definition_memory(&call, id, CHANGE_MEMORY).await?;
+    let study = call.service().decide(&call.tenant, id, call.segment(1), Some((decision, reason))).await?;
+    Ok(accepted_study(&study))
 }
 
 /// Take back a decision about a subject
 ///
 /// The study is computed again, without a match.
 #[utoipa::path(
-    delete, path = "/v1/studies/{id}/subjects/{subject}/decision", tag = "studies", operation_id = "undecide_study_subject",
-    params(("id" = String, Path, description = "The study"), ("subject" = String, Path, description = "Id of the subject")),
-    responses(
-        (status = 202, description = "Taken back; the study is computed again", body = StudyDocument, headers(
-            ("Location" = String, description = "The study"), ("Retry-After" = u32, description = "Suggested delay before the next request, s"))),
-        (status = 404, description = "No such study, or it has no such subject", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The study was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    delete, path = "/v1/studies/{id}/subjects/{subject}/decision",
+    params(("subject" = String, Path, description = "Id of the subject")),
+    responses((status = 202, description = "Taken back; the study is computed again", body = StudyDocument))
 )]
-pub(crate) async fn undecide(
-    State(state): State<HttpState>,
-    Submitter(tenant): Submitter,
-    origin: Origin,
-    Path((id, subject)): Path<(String, String)>,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    let id = study_id(&id)?;
-    let _memory = definition_memory(&state, &tenant, origin, id, CHANGE_MEMORY).await?;
-    Ok(accepted(&state.service.decide(&tenant, id, &subject, None).await?))
+pub(crate) async fn undecide(mut call: Call) -> Result<Response, Problem> {
+    let id: StudyId = call.last_id()?;
+    let _memory = definition_memory(&call, id, CHANGE_MEMORY).await?;
+    Ok(accepted_study(&call.service().decide(&call.tenant, id, call.segment(1), None).await?))
 }
 
 #[cfg(test)]

@@ -1,21 +1,15 @@
 //! `/v1/jobs/{id}/surfaces/{which}`, `/volumes/{which}`, `/aligned` and `/warped`: surfaces and volumes as files.
 
-use super::job_id;
 use super::result::direction;
-use crate::http::auth::Reader;
+use crate::http::call::Call;
 use crate::http::compression::Gains;
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::content::Counted;
-use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem::Problem;
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::representation::{Asking, answer};
-use crate::http::router::HttpState;
-use crate::http::shares::Origin;
-use crate::jobs::{ResultPart, WarpDirection, WarpSpace};
+use crate::http::representation::answer;
+use crate::jobs::{JobId, ResultPart, WarpDirection, WarpSpace};
 use axum::body::Body;
-use axum::extract::{Path, State};
-use axum::http::{HeaderMap, Method};
 use axum::response::Response;
 use serde_json::Value;
 
@@ -25,44 +19,17 @@ use serde_json::Value;
 /// STL have single precision and triangles only, so quads are split. STL has no shared vertices, so the vertex indices of
 /// the correspondences do not apply to it.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/surfaces/{which}", tag = "results", operation_id = "get_surface",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("which" = String, Path, description = "`source` or `target`"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl` or `glb`; takes precedence over `Accept`; PLY if neither is given"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
-    responses(
-        (status = 200, description = "The surface, mm", content(
-            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
-            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (Vec<u8> = "model/gltf-binary"),
-        ), headers(
-            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "Suggested file name"),
-        )),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job or surface", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/jobs/{id}/surfaces/{which}",
+    params(("which" = String, Path, description = "`source` or `target`")),
+    responses((status = 200, description = "The surface, mm"))
 )]
-pub(crate) async fn surface(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path((id, which)): Path<(String, String)>,
-    method: Method,
-    origin: Origin,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    let part = match which.as_str() {
+pub(crate) async fn surface(call: Call) -> Result<Response, Problem> {
+    let part = match call.segment(1) {
         "source" => ResultPart::SourceSurface,
         "target" => ResultPart::TargetSurface,
         _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("the surface must be source or target")),
     };
-    answer(&state, &tenant, job_id(&id)?, part, Asking { method: &method, headers: &headers, origin }, query).await
+    answer(call, part).await
 }
 
 /// Get the label volume of an input
@@ -70,30 +37,14 @@ pub(crate) async fn surface(
 /// The volume from which a matched surface was made, as NIfTI whatever the format that was sent (MGZ, NRRD, MetaImage, DICOM SEG):
 /// all its labels as the service reads them, in the coordinates of the surface. There as long as the inputs of the job.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/volumes/{which}", tag = "results", operation_id = "get_volume",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("which" = String, Path, description = "`source` or `target`"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
-    responses(
-        (status = 200, description = "The volume, NIfTI compressed with gzip", content_type = "application/octet-stream", body = Vec<u8>, headers(("ETag" = String, description = "Pass it as `If-None-Match`"))),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 410, description = "The inputs were deleted at the end of their retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job, or its input is a surface", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/jobs/{id}/volumes/{which}",
+    params(("which" = String, Path, description = "`source` or `target`")),
+    responses((status = 200, description = "The volume, NIfTI compressed with gzip", content_type = "application/octet-stream", body = Vec<u8>))
 )]
-pub(crate) async fn volume(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path((id, which)): Path<(String, String)>,
-    origin: Origin,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    query.finish()?;
-    let job = state.service.get(&tenant, job_id(&id)?).await?;
-    let (side, input) = match which.as_str() {
+pub(crate) async fn volume(mut call: Call) -> Result<Response, Problem> {
+    let id: JobId = call.last_id()?;
+    let job = call.service().get(&call.tenant, id).await?;
+    let (side, input) = match call.segment(1) {
         "source" => ("source", &job.source),
         "target" => ("target", &job.target),
         _ => return Err(Problem::new(ProblemKind::RouteNotFound).detail("the volume must be that of source or target")),
@@ -103,13 +54,13 @@ pub(crate) async fn volume(
         return Err(Problem::new(ProblemKind::RouteNotFound).detail("the input is a surface and has no volume"));
     }
     let etag = format!("\"{}-{side}-{}-volume\"", job.id, env!("CARGO_PKG_VERSION"));
-    if is_fresh(&headers, &etag) && job.purged_at.is_none() {
+    if is_fresh(&call.headers, &etag) && job.purged_at.is_none() {
         return Ok(not_modified(&etag));
     }
-    let bytes = state.service.job_volume(&job, side).await?;
-    let memory = state.answer_memory(&tenant, origin, bytes.len()).await?;
+    let bytes = call.service().job_volume(&job, side).await?;
+    let memory = call.memory(bytes.len()).await?;
     let body = Body::new(Counted::new(bytes.into(), memory));
-    let mut response = respond(&headers, &etag, "application/octet-stream", body);
+    let mut response = respond(&call.headers, &etag, "application/octet-stream", body);
     response.extensions_mut().insert(Gains(false));
     Ok(response)
 }
@@ -118,47 +69,9 @@ pub(crate) async fn volume(
 ///
 /// The source surface moved onto the target by the rigid transform alone, in the formats of the matched surfaces: its shape
 /// is unchanged. The source bent onto the target is `/warped`.
-#[utoipa::path(
-    get, path = "/v1/jobs/{id}/aligned", tag = "results", operation_id = "get_aligned",
-    params(
-        ("id" = String, Path, description = "The job"),
-        ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl` or `glb`; takes precedence over `Accept`; PLY if neither is given"),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
-    ),
-    responses(
-        (status = 200, description = "The surface, mm", content(
-            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
-            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (Vec<u8> = "model/gltf-binary"),
-        ), headers(
-            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "Suggested file name"),
-        )),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn aligned(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    origin: Origin,
-    headers: HeaderMap,
-    query: QueryString,
-) -> Result<Response, Problem> {
-    answer(
-        &state,
-        &tenant,
-        job_id(&id)?,
-        ResultPart::Aligned,
-        Asking { method: &method, headers: &headers, origin },
-        query,
-    )
-    .await
+#[utoipa::path(get, path = "/v1/jobs/{id}/aligned", responses((status = 200, description = "The surface, mm")))]
+pub(crate) async fn aligned(call: Call) -> Result<Response, Problem> {
+    answer(call, ResultPart::Aligned).await
 }
 
 /// Get the source bent onto the target
@@ -179,50 +92,24 @@ pub(crate) async fn aligned(
 ///
 /// Described here are the answers with a surface. The tables are `warped.csv` and so on of `download_file`.
 #[utoipa::path(
-    get, path = "/v1/jobs/{id}/warped", tag = "results", operation_id = "get_warped",
+    get, path = "/v1/jobs/{id}/warped",
     params(
-        ("id" = String, Path, description = "The job"),
         ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl` or `glb`, or one of the tables and `dicom`; takes precedence over `Accept`; PLY if neither is given"),
         ("direction" = Option<String>, Query, description = "`forward` (default): the source is bent onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
         ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly. `aligned` is another name for `target`: the space of `/aligned`"),
-        ("study_uid" = Option<String>, Query, description = "`dicom`: UID of the study, used where neither input is a DICOM object; its patient is left empty", max_length = 64),
-        ("source_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the source, used where it states none", max_length = 64),
-        ("target_frame_uid" = Option<String>, Query, description = "`dicom`: UID of the frame of reference of the target, used where it states none", max_length = 64),
-        ("If-None-Match" = Option<String>, Header, description = "ETag of an earlier answer"),
     ),
     responses(
-        (status = 200, description = "The surface, mm", content(
-            (Vec<u8> = "model/ply"), (Vec<u8> = "model/vtk"), (String = "application/vnd.vtk.vtp"),
-            (String = "application/gifti+xml"), (Vec<u8> = "model/stl"), (Vec<u8> = "model/gltf-binary"),
-        ), headers(
-            ("ETag" = String, description = "Of this representation"), ("Vary" = String, description = "`accept`"),
-            ("Content-Disposition" = String, description = "Suggested file name; not with JSON"),
-        )),
-        (status = 304, description = "Not modified since the version that `If-None-Match` names"),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 410, description = "The result was deleted at the end of its retention time", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such job, or no inverse correspondences", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 406, description = "`Accept` allows none of the formats; `available` lists them", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The job is not finished, or finished without a result", body = ProblemDocument, content_type = "application/problem+json"),
+        (status = 200, description = "The surface, mm", headers(("Content-Disposition" = String, description = "Suggested file name; not with JSON"))),
     )
 )]
-pub(crate) async fn warped(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    Path(id): Path<String>,
-    method: Method,
-    origin: Origin,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let direction = direction(&mut query);
+pub(crate) async fn warped(mut call: Call) -> Result<Response, Problem> {
+    let direction = direction(&mut call.query);
     let own = match direction {
         WarpDirection::Forward => WarpSpace::Target,
         WarpDirection::Inverse => WarpSpace::Source,
     };
     let names = [WarpSpace::Source, WarpSpace::Target].map(|space| (space.name(), space));
     let spaces = [names[0], names[1], ("aligned", WarpSpace::Target)];
-    let space = query.word("space", &spaces).unwrap_or(own);
-    let asking = Asking { method: &method, headers: &headers, origin };
-    answer(&state, &tenant, job_id(&id)?, ResultPart::Warped { direction, space }, asking, query).await
+    let space = call.query.word("space", &spaces).unwrap_or(own);
+    answer(call, ResultPart::Warped { direction, space }).await
 }

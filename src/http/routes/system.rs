@@ -1,7 +1,7 @@
 //! Liveness, readiness, metrics, the OpenAPI document and the problem types.
 
 use crate::http::openapi;
-use crate::http::problem::{Problem, ProblemDocument};
+use crate::http::problem::Problem;
 use crate::http::problem_table::ProblemKind;
 use crate::http::router::HttpState;
 use crate::http::wire::{HealthDocument, ProblemTypeDocument, ReadinessDocument};
@@ -17,7 +17,7 @@ use std::sync::OnceLock;
 ///
 /// Queries no dependency: a full disk or a slow database is no reason to restart the process.
 #[utoipa::path(
-    get, path = "/healthz", tag = "system", operation_id = "healthz",
+    get, path = "/healthz",
     responses((status = 200, description = "The process is alive", body = HealthDocument))
 )]
 pub(crate) async fn healthz() -> Json<HealthDocument> {
@@ -26,11 +26,8 @@ pub(crate) async fn healthz() -> Json<HealthDocument> {
 
 /// Check readiness
 #[utoipa::path(
-    get, path = "/readyz", tag = "system", operation_id = "readyz",
-    responses(
-        (status = 200, description = "All dependencies respond", body = ReadinessDocument),
-        (status = 503, description = "A dependency does not respond, or the service is shutting down", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/readyz",
+    responses((status = 200, description = "All dependencies respond", body = ReadinessDocument))
 )]
 pub(crate) async fn readyz(State(state): State<HttpState>) -> Response {
     let mut ready = !state.stop.is_cancelled();
@@ -60,7 +57,7 @@ pub(crate) async fn readyz(State(state): State<HttpState>) -> Response {
 ///
 /// Metrics of the process and the queue in the text format of Prometheus. They name no job, file or patient.
 #[utoipa::path(
-    get, path = "/metrics", tag = "system", operation_id = "metrics",
+    get, path = "/metrics",
     responses((status = 200, description = "Metrics", content_type = "text/plain", body = String))
 )]
 pub(crate) async fn metrics(State(state): State<HttpState>) -> Response {
@@ -82,7 +79,7 @@ pub(crate) async fn metrics(State(state): State<HttpState>) -> Response {
 
 /// Get the OpenAPI document
 #[utoipa::path(
-    get, path = "/openapi.json", tag = "system", operation_id = "openapi",
+    get, path = "/openapi.json",
     responses((status = 200, description = "OpenAPI 3.1", content_type = "application/json", body = Object))
 )]
 pub(crate) async fn openapi_json() -> Result<Response, Problem> {
@@ -100,12 +97,8 @@ pub(crate) async fn openapi_json() -> Result<Response, Problem> {
 
 /// Get a problem type
 #[utoipa::path(
-    get, path = "/problems/{slug}", tag = "system", operation_id = "problem_type",
-    params(("slug" = String, Path, description = "The last part of a problem's `type`")),
-    responses(
-        (status = 200, description = "The problem type", body = ProblemTypeDocument),
-        (status = 404, description = "No such problem type", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/problems/{slug}",
+    responses((status = 200, description = "The problem type", body = ProblemTypeDocument))
 )]
 pub(crate) async fn problem_type(Path(slug): Path<String>) -> Result<Json<ProblemTypeDocument>, Problem> {
     let kind = ProblemKind::from_slug(&slug).ok_or_else(|| Problem::new(ProblemKind::ProblemNotFound))?;

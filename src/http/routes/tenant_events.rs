@@ -1,15 +1,12 @@
 //! `/v1/events`: the changes of all jobs of a tenant as they happen, in one stream.
 
 use super::events::{as_stream, last_event_id};
-use crate::http::auth::{Reader, Rights};
-use crate::http::problem::{Problem, ProblemDocument};
-use crate::http::query::QueryString;
-use crate::http::router::HttpState;
-use crate::http::shares::{Origin, Taken};
+use crate::http::auth::Rights;
+use crate::http::call::Call;
+use crate::http::problem::Problem;
+use crate::http::shares::Taken;
 use crate::http::wire::ChangeDocument;
 use crate::jobs::{JobService, Tenant};
-use axum::extract::State;
-use axum::http::HeaderMap;
 use axum::response::Response;
 use axum::response::sse::Event;
 use futures_util::Stream;
@@ -30,41 +27,30 @@ const PAGE: u32 = 500;
 /// for the first connection. The stream ends when the service shuts down; reconnect then. It ends as well when the key that opened it
 /// is revoked, or the token has expired.
 #[utoipa::path(
-    get, path = "/v1/events", tag = "jobs", operation_id = "follow_jobs",
+    get, path = "/v1/events",
     params(
         ("since" = Option<u64>, Query, description = "Begin after the change with this number; with the next change if absent"),
         ("Last-Event-ID" = Option<String>, Header, description = "`id` of the last event received; takes precedence over `since`"),
     ),
-    responses(
-        (status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value),
-        (status = 400, description = "Invalid Last-Event-ID or query", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 429, description = "Too many streams are open", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value))
 )]
-pub(crate) async fn events(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    rights: Rights,
-    origin: Origin,
-    headers: HeaderMap,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let asked = query.number("since", 0..=i64::MAX.unsigned_abs());
-    query.finish()?;
+pub(crate) async fn events(mut call: Call) -> Result<Response, Problem> {
+    let asked = call.query.number("since", 0..=i64::MAX.unsigned_abs());
+    call.query.finish()?;
     let number = |text: &str| text.trim().parse::<u64>().ok().filter(|number| i64::try_from(*number).is_ok());
-    let resumed = last_event_id(&headers, number)?;
-    let place = state.begin_stream(&tenant, origin)?;
+    let resumed = last_event_id(&call.headers, number)?;
+    let place = call.state.begin_stream(&call.tenant, call.origin)?;
     let since = match resumed.or(asked) {
         Some(since) => since,
-        None => state.service.newest_change(&tenant).await?,
+        None => call.service().newest_change(&call.tenant).await?,
     };
     let opening = Event::default().event("open").id(since.to_string()).json_data(json!({"next_since": since}));
     let follower = Follower {
-        service: Arc::clone(&state.service),
-        tenant,
+        service: call.state.service,
+        tenant: call.tenant,
         since,
-        rights,
-        stop: state.stop.clone(),
+        rights: call.rights,
+        stop: call.state.stop,
         waiting: opening.into_iter().collect(),
         _place: place,
     };

@@ -1,16 +1,12 @@
 //! `/v1/tickets`: permissions for browsers to read one resource for a minute.
 
-use super::small_json;
-use crate::http::audit::Caller;
-use crate::http::auth::Reader;
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::call::Call;
+use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
-use crate::http::router::HttpState;
 use crate::http::ticketed::is_path_for_tickets;
 use crate::jobs::{MAX_TICKETS, TICKET_LASTS, Ticket};
 use axum::Json;
-use axum::extract::{Request, State};
+use axum::extract::Request;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
@@ -42,23 +38,12 @@ pub(crate) struct TicketDocument {
 /// or an upload below `path` can then be read with `?ticket=` instead. A ticket is valid for 60 s and for reading only, and
 /// ends with the API key that asked for it.
 #[utoipa::path(
-    post, path = "/v1/tickets", tag = "keys", operation_id = "create_ticket",
+    post, path = "/v1/tickets",
     request_body = NewTicketDocument,
-    responses(
-        (status = 201, description = "Created", body = TicketDocument),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "No path of a job or an upload", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 201, description = "Created", body = TicketDocument))
 )]
-pub(crate) async fn create(
-    State(state): State<HttpState>,
-    Reader(tenant): Reader,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let key_id = request.extensions().get::<Caller>().and_then(Caller::key_id).map(str::to_owned);
-    let NewTicketDocument { path } = small_json(&state, &tenant, request, query).await?;
+pub(crate) async fn create(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let NewTicketDocument { path } = call.small_json(request).await?;
     if !is_path_for_tickets(&path) {
         let detail = "must be /v1/events, or the path of a job or an upload, or of its events or a download below it, without a query";
         return Err(Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new(
@@ -67,8 +52,9 @@ pub(crate) async fn create(
             detail,
         )]));
     }
-    let ticket = Ticket { tenant, key_id, path };
-    let Some(text) = state.service.create_ticket(&ticket).await? else {
+    let key_id = call.rights.key_id().map(str::to_owned);
+    let ticket = Ticket { tenant: call.tenant, key_id, path };
+    let Some(text) = call.state.service.create_ticket(&ticket).await? else {
         let detail = format!("at most {MAX_TICKETS} tickets of a tenant at the same time");
         return Err(Problem::new(ProblemKind::TooManyRequests)
             .detail(detail)

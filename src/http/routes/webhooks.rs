@@ -1,17 +1,15 @@
 //! `/v1/webhooks`: notifications of state changes.
 
-use super::{page, small_json};
-use crate::http::auth::Admin;
-use crate::http::fields::Fields;
-use crate::http::problem::{FieldError, Problem, ProblemDocument};
+use crate::http::call::{Call, PageOf, WebhookId};
+use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::query::QueryString;
 use crate::http::router::HttpState;
 use crate::jobs::address::check_url;
+use crate::jobs::job::Cursor;
 use crate::jobs::key::random_secret;
 use crate::jobs::{Delivery, DeliveryState, JobState, Webhook};
 use axum::Json;
-use axum::extract::{Path, Request, State};
+use axum::extract::Request;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use base64::Engine as _;
@@ -172,12 +170,6 @@ impl From<Delivery> for DeliveryDocument {
     }
 }
 
-/// The id of a webhook in a path; 404 for a text that cannot be an id.
-fn webhook_id(id: &str) -> Result<&str, Problem> {
-    let is_id = id.len() == 36 && uuid::Uuid::try_parse(id).is_ok();
-    if is_id { Ok(id) } else { Err(Problem::new(ProblemKind::WebhookNotFound)) }
-}
-
 fn checked_url(state: &HttpState, url: &str) -> Result<(), Problem> {
     check_url(url, state.limits.allow_private_webhooks).map(|_| ()).map_err(|detail| {
         Problem::new(ProblemKind::InvalidRequest).errors(&[FieldError::new("/url", "out_of_range", detail)])
@@ -190,27 +182,16 @@ fn checked_url(state: &HttpState, url: &str) -> Result<(), Problem> {
 /// growing delays until the receiver answers 2xx; an answer of 410 disables the webhook. Only the answer to this request
 /// contains the secret.
 #[utoipa::path(
-    post, path = "/v1/webhooks", tag = "webhooks", operation_id = "create_webhook",
+    post, path = "/v1/webhooks",
     request_body = NewWebhookDocument,
-    responses(
-        (status = 201, description = "Created", body = WebhookDocument, headers(("Location" = String, description = "The webhook"))),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 409, description = "The tenant has the maximum number of webhooks", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 201, description = "Created", body = WebhookDocument, headers(("Location" = String, description = "The webhook"))))
 )]
-pub(crate) async fn create(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    query: QueryString,
-    request: Request,
-) -> Result<Response, Problem> {
-    let NewWebhookDocument { url, states } = small_json(&state, &tenant, request, query).await?;
-    checked_url(&state, &url)?;
+pub(crate) async fn create(mut call: Call, request: Request) -> Result<Response, Problem> {
+    let NewWebhookDocument { url, states } = call.small_json(request).await?;
+    checked_url(&call.state, &url)?;
     let new = Webhook {
         id: uuid::Uuid::now_v7().to_string(),
-        tenant,
+        tenant: call.tenant,
         url,
         states,
         secret: format!("whsec_{}", BASE64_STANDARD.encode(random_secret().as_bytes())),
@@ -218,7 +199,7 @@ pub(crate) async fn create(
         disabled_because: None,
         created_at: Timestamp::UNIX_EPOCH, // set by the clock of the store
     };
-    let Some(made) = state.service.webhooks().insert_webhook(&new, MAX_WEBHOOKS).await? else {
+    let Some(made) = call.state.service.webhooks().insert_webhook(&new, MAX_WEBHOOKS).await? else {
         let detail = format!("a tenant can have at most {MAX_WEBHOOKS} webhooks");
         return Err(Problem::new(ProblemKind::TooManyWebhooks).detail(detail));
     };
@@ -230,25 +211,12 @@ pub(crate) async fn create(
 ///
 /// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(
-    get, path = "/v1/webhooks", tag = "webhooks", operation_id = "list_webhooks",
-    params(
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
-    ),
-    responses(
-        (status = 200, description = "A page", body = WebhookListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/webhooks",
+    responses((status = 200, description = "A page", body = WebhookListDocument))
 )]
-pub(crate) async fn list(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let (size, after) = page(&mut query);
-    let fields = Fields::<WebhookDocument>::of(&mut query);
-    query.finish()?;
-    let page = state.service.webhooks().list_webhooks(&tenant, size, after).await?;
+pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+    let PageOf { size, after, fields } = call.last_page::<_, WebhookDocument>(Cursor::from_token)?;
+    let page = call.service().webhooks().list_webhooks(&call.tenant, size, after).await?;
     let webhooks = page.webhooks.into_iter().map(|webhook| WebhookDocument::of(webhook, false)).collect();
     let next_page_token = page.next.map(|cursor| cursor.to_token());
     fields.answer(&WebhookListDocument { webhooks, next_page_token }, "webhooks")
@@ -256,75 +224,42 @@ pub(crate) async fn list(
 
 /// Get a webhook
 #[utoipa::path(
-    get, path = "/v1/webhooks/{id}", tag = "webhooks", operation_id = "get_webhook",
-    params(("id" = String, Path, description = "The webhook")),
-    responses(
-        (status = 200, description = "The webhook", body = WebhookDocument),
-        (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/webhooks/{id}",
+    responses((status = 200, description = "The webhook", body = WebhookDocument))
 )]
-pub(crate) async fn get(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<Json<WebhookDocument>, Problem> {
-    query.finish()?;
-    Ok(Json(WebhookDocument::of(state.service.webhooks().get_webhook(&tenant, webhook_id(&id)?).await?, false)))
+pub(crate) async fn get(mut call: Call) -> Result<Json<WebhookDocument>, Problem> {
+    let WebhookId(id) = call.last_id()?;
+    Ok(Json(WebhookDocument::of(call.service().webhooks().get_webhook(&call.tenant, &id).await?, false)))
 }
 
 /// Update a webhook
 ///
 /// `enabled: true` enables a webhook that the service has disabled.
 #[utoipa::path(
-    patch, path = "/v1/webhooks/{id}", tag = "webhooks", operation_id = "update_webhook",
-    params(("id" = String, Path, description = "The webhook")),
+    patch, path = "/v1/webhooks/{id}",
     request_body = WebhookChangeDocument,
-    responses(
-        (status = 200, description = "Updated", body = WebhookDocument),
-        (status = 400, description = "The body is malformed", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 415, description = "Not JSON", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 422, description = "Invalid fields", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    responses((status = 200, description = "Updated", body = WebhookDocument))
 )]
-pub(crate) async fn update(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    Path(id): Path<String>,
-    query: QueryString,
-    request: Request,
-) -> Result<Json<WebhookDocument>, Problem> {
-    let WebhookChangeDocument { url, states, enabled } = small_json(&state, &tenant, request, query).await?;
+pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<WebhookDocument>, Problem> {
+    let WebhookChangeDocument { url, states, enabled } = call.small_json(request).await?;
     if let Some(url) = &url {
-        checked_url(&state, url)?;
+        checked_url(&call.state, url)?;
     }
-    let store = state.service.webhooks();
-    let now = store.get_webhook(&tenant, webhook_id(&id)?).await?;
+    let store = call.service().webhooks();
+    let WebhookId(id) = call.id()?;
+    let now = store.get_webhook(&call.tenant, &id).await?;
     let (url, states) = (url.unwrap_or(now.url), states.unwrap_or(now.states));
-    let changed = store.update_webhook(&tenant, &id, &url, &states, enabled.unwrap_or(now.is_enabled)).await?;
+    let changed = store.update_webhook(&call.tenant, &id, &url, &states, enabled.unwrap_or(now.is_enabled)).await?;
     Ok(Json(WebhookDocument::of(changed, false)))
 }
 
 /// Delete a webhook
 ///
 /// Deletes its delivery log too. Pending deliveries are not sent.
-#[utoipa::path(
-    delete, path = "/v1/webhooks/{id}", tag = "webhooks", operation_id = "delete_webhook",
-    params(("id" = String, Path, description = "The webhook")),
-    responses(
-        (status = 204, description = "Deleted"),
-        (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
-    )
-)]
-pub(crate) async fn delete(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<StatusCode, Problem> {
-    query.finish()?;
-    state.service.webhooks().delete_webhook(&tenant, webhook_id(&id)?).await?;
+#[utoipa::path(delete, path = "/v1/webhooks/{id}", responses((status = 204, description = "Deleted")))]
+pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
+    let WebhookId(id) = call.last_id()?;
+    call.service().webhooks().delete_webhook(&call.tenant, &id).await?;
     Ok(StatusCode::NO_CONTENT)
 }
 
@@ -332,28 +267,13 @@ pub(crate) async fn delete(
 ///
 /// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(
-    get, path = "/v1/webhooks/{id}/deliveries", tag = "webhooks", operation_id = "list_deliveries",
-    params(
-        ("id" = String, Path, description = "The webhook"),
-        ("page_size" = Option<u32>, Query, minimum = 1, maximum = 500, description = "Maximum number of entries; 50 if absent"),
-        ("page_token" = Option<String>, Query, description = "`next_page_token` of the previous page"),
-    ),
-    responses(
-        (status = 200, description = "A page", body = DeliveryListDocument),
-        (status = 400, description = "Invalid query parameters", body = ProblemDocument, content_type = "application/problem+json"),
-        (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    get, path = "/v1/webhooks/{id}/deliveries",
+    responses((status = 200, description = "A page", body = DeliveryListDocument))
 )]
-pub(crate) async fn deliveries(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    Path(id): Path<String>,
-    mut query: QueryString,
-) -> Result<Response, Problem> {
-    let (size, after) = page(&mut query);
-    let fields = Fields::<DeliveryDocument>::of(&mut query);
-    query.finish()?;
-    let page = state.service.webhooks().list_deliveries(&tenant, webhook_id(&id)?, size, after).await?;
+pub(crate) async fn deliveries(mut call: Call) -> Result<Response, Problem> {
+    let PageOf { size, after, fields } = call.last_page::<_, DeliveryDocument>(Cursor::from_token)?;
+    let WebhookId(id) = call.id()?;
+    let page = call.service().webhooks().list_deliveries(&call.tenant, &id, size, after).await?;
     let deliveries = page.deliveries.into_iter().map(DeliveryDocument::from).collect();
     let next_page_token = page.next.map(|cursor| cursor.to_token());
     fields.answer(&DeliveryListDocument { deliveries, next_page_token }, "deliveries")
@@ -363,22 +283,13 @@ pub(crate) async fn deliveries(
 ///
 /// Sends an event `webhook.test`; the delivery log shows the outcome.
 #[utoipa::path(
-    post, path = "/v1/webhooks/{id}/test", tag = "webhooks", operation_id = "test_webhook",
-    params(("id" = String, Path, description = "The webhook")),
-    responses(
-        (status = 202, description = "The delivery is queued", body = DeliveryDocument),
-        (status = 404, description = "No such webhook", body = ProblemDocument, content_type = "application/problem+json"),
-    )
+    post, path = "/v1/webhooks/{id}/test",
+    responses((status = 202, description = "The delivery is queued", body = DeliveryDocument))
 )]
-pub(crate) async fn test(
-    State(state): State<HttpState>,
-    Admin(tenant): Admin,
-    Path(id): Path<String>,
-    query: QueryString,
-) -> Result<(StatusCode, Json<DeliveryDocument>), Problem> {
-    query.finish()?;
+pub(crate) async fn test(mut call: Call) -> Result<(StatusCode, Json<DeliveryDocument>), Problem> {
+    let WebhookId(id) = call.last_id()?;
     let payload =
         json!({"type": "webhook.test", "timestamp": Timestamp::now(), "data": {"webhook_id": id}}).to_string();
-    let made = state.service.webhooks().insert_delivery(&tenant, webhook_id(&id)?, "webhook.test", &payload).await?;
+    let made = call.service().webhooks().insert_delivery(&call.tenant, &id, "webhook.test", &payload).await?;
     Ok((StatusCode::ACCEPTED, Json(made.into())))
 }

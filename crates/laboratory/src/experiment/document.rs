@@ -1,6 +1,7 @@
 //! The parts of a report: sections with tables and plots, every number with its unit.
 
 use super::statistics::Summary;
+pub use homolog_run::plot::{Axis, Plot, PlotKind, PlotPoint, Series};
 use serde::{Deserialize, Serialize};
 
 /// The whole report, stored as `report.json`.
@@ -134,95 +135,5 @@ impl Cell {
     /// The summary of a sample, if it is not empty.
     pub fn spread(summary: Option<Summary>) -> Self {
         summary.map_or(Cell::Missing(()), Cell::Spread)
-    }
-}
-
-/// A plot.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Plot {
-    /// Heading.
-    pub title: String,
-    /// Kind of plot.
-    pub kind: PlotKind,
-    /// The horizontal axis; bar plots use only its label.
-    pub x: Axis,
-    /// The vertical axis.
-    pub y: Axis,
-    /// Names of the categories of a bar plot, in order: category `k` is at `x = k`.
-    pub categories: Vec<String>,
-    /// The series of points.
-    pub series: Vec<Series>,
-}
-
-/// Kind of plot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum PlotKind {
-    /// Points joined by lines.
-    Lines,
-    /// Bars from zero.
-    Bars,
-    /// Points alone.
-    Scatter,
-}
-
-/// An axis of a plot.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Axis {
-    /// The measured quantity.
-    pub label: String,
-    /// Unit, if there is one.
-    pub unit: Option<String>,
-    /// Whether the axis is logarithmic.
-    pub log: bool,
-}
-
-impl Axis {
-    /// A linear axis; an empty `unit` means none.
-    pub fn linear(label: &str, unit: &str) -> Self {
-        let unit = (!unit.is_empty()).then(|| unit.to_owned());
-        Axis { label: label.to_owned(), unit, log: false }
-    }
-
-    /// A logarithmic axis.
-    pub fn logarithmic(label: &str, unit: &str) -> Self {
-        Axis { log: true, ..Axis::linear(label, unit) }
-    }
-}
-
-/// A series of points.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Series {
-    /// Its name in the legend.
-    pub name: String,
-    /// Its points, in drawing order.
-    pub points: Vec<PlotPoint>,
-}
-
-/// A point of a plot, with the ends of its error bar, if any.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct PlotPoint {
-    /// Horizontal value.
-    pub x: f64,
-    /// Vertical value.
-    pub y: f64,
-    /// Lower end of the error bar.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub low: Option<f64>,
-    /// Upper end of the error bar.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub high: Option<f64>,
-}
-
-impl PlotPoint {
-    /// A point without error bar.
-    pub fn at(x: f64, y: f64) -> Self {
-        PlotPoint { x, y, low: None, high: None }
-    }
-
-    /// The mean with a bar of one standard deviation to either side.
-    pub fn of(x: f64, summary: &Summary) -> Self {
-        let (low, high) = (summary.mean - summary.sd, summary.mean + summary.sd);
-        PlotPoint { x, y: summary.mean, low: Some(low), high: Some(high) }
     }
 }

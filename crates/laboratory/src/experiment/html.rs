@@ -1,7 +1,7 @@
 //! The report as a self-contained HTML page: style and plots inline, no scripts, no external resources.
 
 use super::document::{Cell, Column, ReportDocument, Section, Table};
-use super::svg::{escaped, svg};
+use homolog_run::page::escaped;
 use std::fmt::Write;
 
 const STYLE: &str = "
@@ -25,8 +25,6 @@ td small { color: #63636b; }
 figure { margin: 1.25rem 0; } figcaption { font-weight: 600; font-size: .88rem; margin-bottom: .25rem; }
 svg { width: 100%; height: auto; max-width: 45rem; }
 svg text { font: 12px system-ui, sans-serif; fill: #3c3c43; }
-svg text.x { text-anchor: middle; } svg text.y { text-anchor: end; }
-svg .grid { stroke: #ececf0; fill: none; } svg .axis { stroke: #8a8a92; fill: none; }
 code { background: #f4f4f6; padding: .1rem .35rem; border-radius: 3px; font-size: .88rem; }
 nav ol { padding-left: 1.4rem; } nav li { margin: .25rem 0; } nav small { color: #63636b; display: block; }
 a { color: #00609a; }
@@ -88,7 +86,7 @@ fn section(out: &mut String, s: &Section) {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(note));
     }
     for plot in &s.plots {
-        if let Some(drawing) = svg(plot) {
+        if let Some(drawing) = plot.svg() {
             let _ = writeln!(out, "<figure>\n<figcaption>{}</figcaption>\n{drawing}</figure>", escaped(&plot.title));
         }
     }

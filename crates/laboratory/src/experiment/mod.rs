@@ -17,12 +17,10 @@ mod html;
 mod measure;
 mod pairs;
 mod results;
-mod scale;
 mod sections;
 mod solids;
 mod statistics;
 mod study;
-mod svg;
 #[cfg(test)]
 mod tests;
 mod units;

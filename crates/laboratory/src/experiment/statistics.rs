@@ -19,6 +19,13 @@ pub struct Summary {
     pub q3: f64,
 }
 
+/// Mean and standard deviation.
+impl From<&Summary> for (f64, f64) {
+    fn from(summary: &Summary) -> Self {
+        (summary.mean, summary.sd)
+    }
+}
+
 impl Summary {
     /// Statistics of the finite numbers among `values`; `None` if there are none. Cost `O(n log n)`.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {

@@ -1,14 +1,10 @@
-//! The energy over the iterations as SVG.
+//! The energy over the iterations.
 
+use crate::plot::{Anchor, COLORS, Drawing, Frame, Scale};
 use homolog_primitives::observe::{Phase, Quantity, TracePoint};
-use std::fmt::Write;
 
 const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 240.0;
-const LEFT: f64 = 70.0;
-const RIGHT: f64 = 750.0;
-const TOP: f64 = 14.0;
-const BOTTOM: f64 = 205.0;
+const HEIGHT: f64 = 250.0;
 /// Largest number of points of the curve: more than the page has pixels.
 const MOST_POINTS: usize = 1500;
 
@@ -30,45 +26,34 @@ pub(super) fn energy_plot(initial: Option<f64>, phase: Phase, trace: &[TracePoin
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let logarithmic = low > 0.0 && high > 10.0 * low;
-    let scale = |v: f64| if logarithmic { v.ln() } else { v };
-    let span = if high > low { scale(high) - scale(low) } else { 1.0 };
-    let x = |k: usize| LEFT + (RIGHT - LEFT) * k as f64 / (values.len() - 1).max(1) as f64;
-    let y = |v: f64| BOTTOM - (BOTTOM - TOP) * (scale(v) - scale(low)) / span;
-    let mut svg = format!(
-        "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\" aria-label=\"Energy over iterations\">\
-         <path d=\"M{LEFT} {TOP}V{BOTTOM}H{RIGHT}\" fill=\"none\" stroke=\"#9aa4b1\"/>"
-    );
-    let steps = values.len().div_ceil(MOST_POINTS).max(1);
-    let mut curve = String::new();
+    // The initial energy is at 0, or the first iteration at 1.
     let offset = usize::from(initial.is_some());
-    let begins_series = |k: usize| k > offset && iterations[k - offset].1 != iterations[k - offset - 1].1;
-    for (k, &value) in values.iter().enumerate() {
-        let begins = begins_series(k);
-        if begins || k % steps == 0 || k + 1 == values.len() {
-            let _ = write!(curve, "{}{:.1} {:.1}", if k == 0 || begins { "M" } else { "L" }, x(k), y(value));
+    let number = |k: usize| (k + 1 - offset) as f64;
+    let frame = Frame {
+        x: Scale::counts(1 - offset as u32, u32::try_from(iterations.len()).unwrap_or(u32::MAX)),
+        y: Scale::new(values.iter().copied(), logarithmic)?,
+        across: (76.0, 744.0),
+        down: (26.0, 200.0),
+    };
+    let mut drawing = Drawing::new(WIDTH, HEIGHT, "Energy over iterations");
+    let kind = if logarithmic { "; logarithmic axis" } else { "" };
+    let about = format!("lowest {low:.2}, highest {high:.2}; dashed: a new round{kind}");
+    drawing.text((frame.across.0, 14.0), Anchor::Start, about);
+    frame.axes(&mut drawing);
+    drawing.text(((frame.across.0 + frame.across.1) / 2.0, HEIGHT - 8.0), Anchor::Middle, "iterations");
+    drawing.upward_text((14.0, (frame.down.0 + frame.down.1) / 2.0), "energy");
+    let every = values.len().div_ceil(MOST_POINTS).max(1);
+    let begins = |k: usize| k > offset && iterations[k - offset].1 != iterations[k - offset - 1].1;
+    let mut first = 0;
+    for end in (1..=values.len()).filter(|&end| end == values.len() || begins(end)) {
+        if first > 0 {
+            frame.divide(&mut drawing, number(first));
         }
+        let shown = (first..end).filter(|&k| k == first || k % every == 0 || k + 1 == values.len());
+        frame.line(&mut drawing, shown.map(|k| (number(k), values[k])), COLORS[0]);
+        first = end;
     }
-    for (k, pair) in iterations.windows(2).enumerate() {
-        if pair[0].1 != pair[1].1 {
-            let at = x(k + offset);
-            let _ = write!(svg, "<path d=\"M{at:.1} {TOP}V{BOTTOM}\" stroke=\"#c3cad3\" stroke-dasharray=\"4 4\"/>");
-        }
-    }
-    let _ = write!(svg, "<path d=\"{curve}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"2\"/>");
-    let kind = if logarithmic { ", logarithmic axis" } else { "" };
-    let _ = write!(
-        svg,
-        "<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{high:.2}</text><text x=\"{}\" y=\"{BOTTOM}\" \
-         text-anchor=\"end\">{low:.2}</text><text x=\"{LEFT}\" y=\"{}\">iterations; dashed: a new round{kind}</text>\
-         <text x=\"{RIGHT}\" y=\"{}\" text-anchor=\"end\">{}</text></svg>",
-        LEFT - 6.0,
-        TOP + 8.0,
-        LEFT - 6.0,
-        BOTTOM + 20.0,
-        BOTTOM + 20.0,
-        iterations.len()
-    );
-    Some(svg)
+    Some(drawing.finish())
 }
 
 #[cfg(test)]
@@ -91,10 +76,10 @@ mod tests {
         ];
         let svg = energy_plot(Some(100.0), Phase::Inference, &trace).unwrap();
         assert_eq!(svg.matches("stroke-dasharray").count(), 1);
-        assert!(svg.contains(">100.00<") && svg.contains(">2.00<") && svg.contains("logarithmic"), "{svg}");
-        let curve = svg.split("<path d=\"").nth(3).unwrap();
-        assert_eq!(curve.split('"').next().unwrap().matches(['M', 'L']).count(), 3, "{curve}");
-        assert_eq!(curve.split('"').next().unwrap().matches('M').count(), 2, "rounds are not joined: {curve}");
+        assert!(svg.contains("lowest 2.00, highest 100.00") && svg.contains("logarithmic"), "{svg}");
+        let curves: Vec<&str> = svg.lines().filter(|line| line.contains(COLORS[0])).collect();
+        assert_eq!(curves.len(), 2, "rounds are not joined: {svg}");
+        assert_eq!(curves.iter().map(|curve| curve.matches(['M', 'L']).count()).sum::<usize>(), 3, "{svg}");
         let starts = TracePoint { quantity: Some(Quantity::MeanIsometryEnergy), ..point(0, Phase::Inference, 3.0) };
         assert_eq!(energy_plot(Some(1.0), Phase::Inference, &[starts]), None);
         assert_eq!(energy_plot(Some(1.0), Phase::Inference, &trace[3..]), None);
@@ -102,6 +87,6 @@ mod tests {
         let fits = [0, 0, 1].map(|round| point(round, Phase::Displacement, 3.0 - f64::from(round)));
         let svg = energy_plot(None, Phase::Displacement, &fits).unwrap();
         assert_eq!(svg.matches("stroke-dasharray").count(), 1);
-        assert!(svg.contains(">3.00<") && svg.contains(">2.00<"), "{svg}");
+        assert!(svg.contains("lowest 2.00, highest 3.00"), "{svg}");
     }
 }

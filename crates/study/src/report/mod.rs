@@ -27,6 +27,9 @@ use std::fmt::Write;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
+/// What the plot of effects shows.
+const FOREST_HINT: &str = "<p class=\"hint\">Hedges' g, the effect over the standard deviation of the residuals, with its 95 % \
+     interval.</p>\n";
 /// Largest number of pictures of quality control, and of vertices of all of them together.
 const MAX_PICTURES: usize = 12;
 const MAX_PICTURE_VERTICES: usize = 120_000;
@@ -373,6 +376,7 @@ fn effects(study: &Study, found: &Findings) -> String {
     if !statistics.whole.is_empty() {
         html.push_str("<h2>Effects in whole subjects</h2>\n");
         html.push_str(&plots::forest(&statistics.whole));
+        html.push_str(FOREST_HINT);
         let rows: Vec<Vec<String>> = statistics
             .whole
             .iter()

@@ -25,7 +25,7 @@ fn files_under(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// The blobs of results and uploads in a back-up.
+/// The blobs of results and uploads in a backup.
 fn blobs(backup: &Path) -> Vec<PathBuf> {
     files_under(&backup.join("blobs"))
 }
@@ -45,7 +45,7 @@ async fn a_service_is_backed_up_while_it_runs_and_restored_whole() {
     assert!(code == Some(0) && said.starts_with("backed up the database and "), "{said}{stderr}");
     let n_first = blobs(&backup).len();
 
-    // A second back-up, while jobs are being run and deleted.
+    // A second backup, while jobs are being run and deleted.
     let client = service.client.clone();
     let base = service.base.clone();
     let deleted = ids.remove(0);
@@ -94,7 +94,7 @@ async fn a_service_is_backed_up_while_it_runs_and_restored_whole() {
         assert_eq!((after.status().as_u16(), after.bytes().await.unwrap()), (200, before));
     }
     assert_eq!(service.get(&format!("{upload}/content")).await.text().await.unwrap(), "an upload");
-    // Every file that the copied database references is in the back-up.
+    // Every file that the copied database references is in the backup.
     let jobs: Value = service.json("/v1/jobs?state=succeeded&page_size=100").await;
     for job in jobs["jobs"].as_array().unwrap() {
         assert_eq!(service.get(job["links"]["result"].as_str().unwrap()).await.status(), 200);
@@ -182,9 +182,9 @@ async fn other_folders_and_other_stores_are_refused() {
     assert!(code == Some(2) && stderr.contains("holds no service"), "{stderr}");
     assert_eq!(run(&["migrate"], &data).await.0, Some(0));
     let (code, _, stderr) = run(&["backup", other_text], &data).await;
-    assert!(code == Some(2) && stderr.contains("no back-up"), "{stderr}");
+    assert!(code == Some(2) && stderr.contains("no backup"), "{stderr}");
     let (code, _, stderr) = run(&["restore", other_text], &folder.path().join("new")).await;
-    assert!(code == Some(2) && stderr.contains("holds no back-up"), "{stderr}");
+    assert!(code == Some(2) && stderr.contains("holds no backup"), "{stderr}");
     let (code, _, stderr) = run(&["backup", "x", "--artifacts-url", "s3://bucket"], &data).await;
     assert!(code == Some(2) && stderr.contains("docs/runbook.md"), "{stderr}");
     assert_eq!(fs::read_dir(&other).unwrap().count(), 1, "nothing was written");

@@ -253,7 +253,7 @@ async fn a_backup_into_the_same_folder_after_a_rotation_can_be_restored() {
     let (code, said, stderr) = run(&["restore", backup_text, "--encryption-key-file", &new], &target).await;
     assert!(code == Some(0), "{said}{stderr}");
 
-    // A copy that was damaged later is replaced; a damaged blob in the service fails the back-up.
+    // A copy that was damaged later is replaced; a damaged blob in the service fails the backup.
     let hash = mesh.strip_prefix("blake3:").unwrap();
     let under = |folder: &Path| files_under(folder).into_iter().find(|p| p.to_string_lossy().ends_with(hash)).unwrap();
     let (copy, own) = (under(&backup), under(&site.data_dir()));

@@ -8,6 +8,8 @@ use crate::plan::Study;
 use homolog_run::page::escaped;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Number of pairs below which sign flips are reported as few: no p below 0.001 is possible.
+const FEW_PAIRS: usize = 11;
 /// Number of different permutations below which they are reported as few: no p below 0.001 is possible.
 const FEW_PERMUTATIONS: f64 = 1000.0;
 
@@ -130,6 +132,22 @@ pub(super) fn degrees(study: &Study, found: &Findings) -> String {
             html.push_str(&format!(
                 "<p class=\"warning\"><strong>Few subjects:</strong> Wald tests by the normal distribution give too small p-values for \
                  {people} subjects; take them as a hint where to look.</p>\n"
+            ));
+        }
+        return html;
+    }
+    if let Some(of) = &statistics.pairs {
+        let (pairs, single) = (of.pairs.len(), of.single);
+        html.push_str(&format!(
+            "<p>Differences within {pairs} subjects are tested against zero, by flipping their signs; {single} subjects with one \
+             surface are left out.</p>\n"
+        ));
+        if pairs < FEW_PAIRS {
+            html.push_str(&format!(
+                "<p class=\"warning\"><strong>Few sign flips are possible:</strong> the signs of {pairs} differences can be chosen in {} \
+                 ways that differ in |t|, so that no corrected p can be below {:.3}, however many are drawn.</p>\n",
+                1u32 << (pairs - 1),
+                1.0 / f64::from(1u32 << (pairs - 1))
             ));
         }
         return html;

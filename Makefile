@@ -39,6 +39,8 @@
 # Measurements of studies and of speed
 #   study          studies of real hippocampi: models, effects, time, memory; PARTS=joint,null; SPLITS=200
 #   study-others   the same with correspondences by other methods; PARTS=model,cycles,atrophy
+#   validate-study known deformations in real groups, against an oracle, and splits without an effect: target/validate-study/report.md;
+#                  SHORT=1: 20 subjects, minutes
 #   bench          a match
 #   bench-service  the service; PART=poll: one part
 
@@ -48,7 +50,7 @@ SHELL := /usr/bin/env bash
 .PHONY: help build demo test check api client dashboard
 .PHONY: faults contract readers answers peers-read fuzz soak memory
 .PHONY: msrv public-api advisories sbom screenshots pictures
-.PHONY: accuracy experiment methods energies thresholds study study-others study-env bench bench-service
+.PHONY: accuracy experiment methods energies thresholds study study-others validate-study study-env bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -196,6 +198,10 @@ study-others: build study-env
 	$(CARGO) build --release --locked -p homolog -p homolog-study --example other_matches --bins
 	target/study-env/bin/python benches/study/others.py --binary target/release/homolog --examples target/release/examples \
 	  --data "$(DATA)" --out target/study $(if $(PARTS),--parts "$(PARTS)")
+
+validate-study:
+	$(CARGO) build --release --locked -p homolog-study --example validate_study
+	target/release/examples/validate_study "$(DATA)" target/validate-study$(if $(filter-out 0,$(SHORT)),-short short)
 
 study-env:
 	[ -x target/study-env/bin/python ] || python3 -m venv target/study-env

@@ -20,13 +20,16 @@ use crate::statistics::effect::{Effect, effect, subjects_needed};
 use crate::statistics::linear::{ContrastMap, LinearModel};
 use crate::statistics::mixed::{MixedMap, MixedModel};
 use crate::statistics::multiple::false_discovery;
-use crate::statistics::permutation::{PermutationMap, test};
+use crate::statistics::paired::Pairs;
+use crate::statistics::permutation::{Exchange, PermutationMap, test_by};
 use crate::statistics::tfce::Enhancer;
+use faer::Mat;
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::{FileContent, ReadLimits};
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
+use homolog_registration::SimilarityTransform;
 use homolog_run::intake::chosen_numbers;
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -89,7 +92,7 @@ pub struct SubjectFindings {
     pub scores: Vec<f64>,
     /// Squared Mahalanobis distance from the model of the other subjects.
     pub distance: Option<f64>,
-    /// Share of subjects at least as unusual.
+    /// The p-value of a shape as unusual, from distances of left-out subjects.
     pub unusual_p: Option<f64>,
     /// Reasons to look at the subject.
     pub flags: Vec<Flag>,
@@ -120,6 +123,8 @@ pub struct Statistics {
     pub design: Design,
     /// Whether subjects have several visits, which calls for a mixed model without permutations.
     pub longitudinal: bool,
+    /// The pairs, if differences within persons are tested.
+    pub pairs: Option<Pairs>,
     /// Degrees of freedom of the residuals.
     pub degrees: f64,
     /// Maps, by measure and contrast.
@@ -199,6 +204,73 @@ pub fn find(
 ) -> Result<Findings, StudyError> {
     let observer = &Interruption(watcher);
     let (cohort, template) = (&study.cohort, &matched.making.template.mesh);
+    let (pairs, mut matched) = (matched, matched.clone());
+    let (mut subjects, members, joint) = placed(study, &mut matched, folder, decisions, watcher)?;
+    let matched = &matched;
+    watcher.progress("shape model", 0, 1);
+    let keys = |of: &[usize]| of.iter().map(|&k| (matched.keys[k].clone(), cohort.subjects[k].id.clone())).collect();
+    let shapes = folder.shapes(keys(&members), template.n_vertices());
+    let alignment = align(&WatchedShapes { shapes: &shapes, observer }, template, study.settings.size)?;
+    let others: Vec<usize> =
+        (0..subjects.len()).filter(|&k| !matches!(subjects[k].place, Place::Model | Place::Failed)).collect();
+    let mut frame = alignment.clone();
+    for &k in &others {
+        checkpoint(observer)?;
+        frame.onto_mean.push(onto_mean(study, matched, folder, &alignment, k)?.1);
+    }
+    let all: Vec<usize> = members.iter().chain(&others).copied().collect();
+    let shapes = folder.shapes(keys(&all), template.n_vertices());
+    let seed = study.settings.analysis.seed;
+    let model = ShapeModel::with_others(&shapes, &frame, members.len(), seed, observer)?;
+    drop(frame);
+    let mean = template.with_vertices(alignment.mean.clone())?;
+    for (row, &k) in members.iter().enumerate() {
+        subjects[k].scores.clone_from(&model.scores[row][..model.modes.len()].to_vec());
+        subjects[k].distance = Some(model.left_out[row]);
+        subjects[k].unusual_p = Some(model.unusual_of(row));
+    }
+    for (&k, p) in others.iter().zip(&model.others_p) {
+        checkpoint(observer)?;
+        let moved = moved(study, matched, folder, &alignment, k)?;
+        let (scores, distance) = model.score(&alignment, &moved);
+        (subjects[k].scores, subjects[k].distance) = (scores, Some(distance));
+        subjects[k].unusual_p = Some(*p);
+    }
+    let sizes: Vec<(usize, f64)> = (0..subjects.len())
+        .into_par_iter()
+        .filter(|&k| subjects[k].place != Place::Failed)
+        .map(|k| {
+            checkpoint(observer)?;
+            let record = folder.get(&matched.keys[k])?;
+            let shape = record.map(|record| points(&record.points)).unwrap_or_default();
+            Ok((k, centroid_size(&shape, &alignment.weights)))
+        })
+        .collect::<Result<_, StudyError>>()?;
+    sizes.into_iter().for_each(|(k, size)| subjects[k].size_mm = size);
+    watcher.progress("labels", 0, 1);
+    let labels = labels(study, matched, folder, &mut subjects, observer)?;
+    flags(&mut subjects);
+    watcher.progress("statistics", 0, 1);
+    let statistics = statistics(study, matched, folder, &alignment, &mean, &subjects, &members, watcher)?;
+    let consistency = consistency(study, pairs, matched, folder, observer)?;
+    let matched = matched.clone();
+    Ok(Findings { matched, joint, subjects, members, alignment, mean, model, statistics, consistency, labels })
+}
+
+/// The subjects with their outcomes, the members of the model, and joint maps if the study has them: these replace the
+/// maps of `matched`.
+///
+/// # Errors
+/// [`StudyError::TooFewMatches`] for fewer than three members; errors of reading and of joint maps.
+pub(crate) fn placed(
+    study: &Study,
+    matched: &mut Matched,
+    folder: &Folder,
+    decisions: &[Decision],
+    watcher: &dyn Watcher,
+) -> Result<(Vec<SubjectFindings>, Vec<usize>, Option<JointFindings>), StudyError> {
+    let observer = &Interruption(watcher);
+    let (cohort, n_vertices) = (&study.cohort, matched.making.template.mesh.n_vertices());
     let mut subjects = Vec::new();
     for (k, subject) in cohort.subjects.iter().enumerate() {
         checkpoint(observer)?;
@@ -206,7 +278,7 @@ pub fn find(
             facts: Facts { error: Some("the match is missing".to_owned()), ..Facts::default() },
             points: Vec::new(),
         });
-        if facts.error.is_none() && shape.len() != template.n_vertices() {
+        if facts.error.is_none() && shape.len() != n_vertices {
             facts.error = Some("the match has other vertices than the template".to_owned());
         }
         let decision = decisions.iter().find(|decision| decision.id == subject.id).cloned();
@@ -243,57 +315,17 @@ pub fn find(
             )
         };
         let reason = subjects.iter().find_map(|subject| subject.facts.error.clone()).unwrap_or_else(left_out);
-        let (matched, all) = (members.len(), subjects.len());
-        return Err(StudyError::TooFewMatches { matched, all, purpose: "for a shape model", reason });
+        let (found, all) = (members.len(), subjects.len());
+        return Err(StudyError::TooFewMatches { matched: found, all, purpose: "for a shape model", reason });
     }
-    let (pairs, mut matched) = (matched, matched.clone());
     let joint = match study.settings.correspondence {
         Correspondence::Pairs => None,
         Correspondence::Joint => {
             watcher.progress("joint maps", 0, 1);
-            Some(crate::joint::revised(study, &mut matched, folder, &mut subjects, observer)?)
+            Some(crate::joint::revised(study, matched, folder, &mut subjects, observer)?)
         }
     };
-    let matched = &matched;
-    watcher.progress("shape model", 0, 1);
-    let keys = |of: &[usize]| of.iter().map(|&k| (matched.keys[k].clone(), cohort.subjects[k].id.clone())).collect();
-    let shapes = folder.shapes(keys(&members), template.n_vertices());
-    let alignment = align(&WatchedShapes { shapes: &shapes, observer }, template, study.settings.size)?;
-    let model = ShapeModel::new(&shapes, &alignment, study.settings.analysis.seed, observer)?;
-    let mean = template.with_vertices(alignment.mean.clone())?;
-    for (row, &k) in members.iter().enumerate() {
-        subjects[k].scores.clone_from(&model.scores[row][..model.modes.len()].to_vec());
-        subjects[k].distance = Some(model.left_out[row]);
-        subjects[k].unusual_p = Some(model.unusual_of(row));
-    }
-    let others: Vec<usize> =
-        (0..subjects.len()).filter(|&k| !matches!(subjects[k].place, Place::Model | Place::Failed)).collect();
-    for &k in &others {
-        checkpoint(observer)?;
-        let moved = moved(study, matched, folder, &alignment, k)?;
-        let (scores, distance) = model.score(&alignment, &moved);
-        (subjects[k].scores, subjects[k].distance) = (scores, Some(distance));
-        subjects[k].unusual_p = Some(model.unusual(distance));
-    }
-    let sizes: Vec<(usize, f64)> = (0..subjects.len())
-        .into_par_iter()
-        .filter(|&k| subjects[k].place != Place::Failed)
-        .map(|k| {
-            checkpoint(observer)?;
-            let record = folder.get(&matched.keys[k])?;
-            let shape = record.map(|record| points(&record.points)).unwrap_or_default();
-            Ok((k, centroid_size(&shape, &alignment.weights)))
-        })
-        .collect::<Result<_, StudyError>>()?;
-    sizes.into_iter().for_each(|(k, size)| subjects[k].size_mm = size);
-    watcher.progress("labels", 0, 1);
-    let labels = labels(study, matched, folder, &mut subjects, observer)?;
-    flags(&mut subjects);
-    watcher.progress("statistics", 0, 1);
-    let statistics = statistics(study, matched, folder, &alignment, &mean, &subjects, &members, watcher)?;
-    let consistency = consistency(study, pairs, matched, folder, observer)?;
-    let matched = matched.clone();
-    Ok(Findings { matched, joint, subjects, members, alignment, mean, model, statistics, consistency, labels })
+    Ok((subjects, members, joint))
 }
 
 /// A subject's shape, moved onto the mean.
@@ -304,13 +336,25 @@ pub(crate) fn moved(
     alignment: &Alignment,
     k: usize,
 ) -> Result<Vec<Point3<f64>>, StudyError> {
+    let (own, transform) = onto_mean(study, matched, folder, alignment, k)?;
+    Ok(own.iter().map(|p| transform.apply(p)).collect())
+}
+
+/// A subject's shape as stored, and its transform onto the mean.
+pub(crate) fn onto_mean(
+    study: &Study,
+    matched: &Matched,
+    folder: &Folder,
+    alignment: &Alignment,
+    k: usize,
+) -> Result<(Vec<Point3<f64>>, SimilarityTransform), StudyError> {
     let record = folder.get(&matched.keys[k])?;
     let own = record.map(|record| points(&record.points)).unwrap_or_default();
     let sized = study.settings.size == Size::Removed;
     let id = || study.cohort.subjects[k].id.clone();
     let transform = onto(&own, &alignment.mean, &alignment.weights, sized)
         .map_err(|error| StudyError::Alignment { id: id(), error })?;
-    Ok(own.iter().map(|p| transform.apply(p)).collect())
+    Ok((own, transform))
 }
 
 /// A subject's label volume and its labels that belong to the structure, ascending; `None` for a surface.
@@ -455,7 +499,17 @@ fn statistics(
     let longitudinal = known.len() < people.len();
     let person: Vec<usize> =
         people.iter().map(|id| known.iter().position(|other| other == id).unwrap_or_default()).collect();
-    let linear = LinearModel::new(&design.matrix);
+    let pairs = if longitudinal { Pairs::of(&study.cohort, &design, analysis) } else { None };
+    let longitudinal = longitudinal && pairs.is_none();
+    let ones = |n: usize| Mat::from_fn(n, 1, |_, _| 1.0);
+    let linear = LinearModel::new(&pairs.as_ref().map_or_else(|| design.matrix.clone(), |of| ones(of.pairs.len())));
+    // Of the differences there is only their mean.
+    let exchange = if pairs.is_some() { Exchange::SignFlips } else { Exchange::Permutations };
+    let weights = |contrast: &Contrast| if pairs.is_some() { vec![1.0] } else { contrast.weights.clone() };
+    let compared = |of: Vec<Vec<f64>>| match &pairs {
+        Some(pairs) => pairs.differences(&of),
+        None => of,
+    };
     let mixed = MixedModel::new(&design.matrix, &person);
     let (graph, areas) = (mean.edge_graph(), crate::align::vertex_areas(mean));
     let enhancer = Enhancer::new(&graph, &areas);
@@ -473,8 +527,7 @@ fn statistics(
             left_out.push(measure);
             continue;
         };
-        let values = VertexValues::from_subjects(&of_subjects);
-        drop(of_subjects);
+        let values = VertexValues::from_subjects(&compared(of_subjects));
         for (place, contrast) in design.contrasts.iter().enumerate() {
             checkpoint(observer)?;
             watcher.progress(
@@ -487,28 +540,33 @@ fn statistics(
                 let q = false_discovery(&mixed.p);
                 StatisticMap { measure, contrast: place, linear: None, mixed: Some(mixed), q }
             } else {
-                let map = linear.contrast(&values, &contrast.weights, observer)?;
-                let (n, seed) = (analysis.permutations, analysis.seed);
-                let permuted = test(&linear, &values, &contrast.weights, &enhancer, n, seed, observer)?;
+                let (weights, how_many) = (weights(contrast), (analysis.permutations, analysis.seed));
+                let map = linear.contrast(&values, &weights, observer)?;
+                let permuted = test_by(exchange, &linear, &values, &weights, &enhancer, how_many, observer)?;
                 let q = false_discovery(&map.robust_p);
                 StatisticMap { measure, contrast: place, linear: Some((map, permuted)), mixed: None, q }
             });
         }
     }
-    let whole = if longitudinal { Vec::new() } else { whole_effects(&linear, &design, subjects, observer)? };
-    let planning = if longitudinal { Vec::new() } else { planning(&linear, &design, observer)? };
+    let rows: Vec<&SubjectFindings> = design.rows.iter().map(|&k| &subjects[k]).collect();
+    let contrasts: Vec<(&Contrast, Vec<f64>)> = design.contrasts.iter().map(|of| (of, weights(of))).collect();
+    let whole = if longitudinal { Vec::new() } else { whole_effects(&linear, &contrasts, &rows, &compared, observer)? };
+    // The sizes of groups that a further study would need are of no pairs.
+    let is_plain = !longitudinal && pairs.is_none();
+    let planning = if is_plain { planning(&linear, &design, observer)? } else { Vec::new() };
     let degrees = linear.degrees();
-    Ok(Some(Statistics { design, longitudinal, degrees, maps, left_out, whole, planning }))
+    Ok(Some(Statistics { design, longitudinal, pairs, degrees, maps, left_out, whole, planning }))
 }
 
 /// Effects in volume, area, size and labels.
 fn whole_effects(
     linear: &LinearModel,
-    design: &Design,
-    subjects: &[SubjectFindings],
+    contrasts: &[(&Contrast, Vec<f64>)],
+    rows: &[&SubjectFindings],
+    compared: &dyn Fn(Vec<Vec<f64>>) -> Vec<Vec<f64>>,
     observer: &dyn Observer,
 ) -> Result<Vec<WholeEffect>, Cancelled> {
-    let rows = || design.rows.iter().map(|&k| &subjects[k]);
+    let rows = || rows.iter();
     let mut variables: Vec<(String, Vec<f64>)> = Vec::new();
     let mut add = |name: String, values: Option<Vec<f64>>| variables.extend(values.map(|values| (name, values)));
     add("volume, mm³".to_owned(), rows().map(|s| s.facts.volume_mm3).collect());
@@ -521,8 +579,8 @@ fn whole_effects(
     }
     let mut effects = Vec::new();
     for (variable, values) in variables {
-        let values = VertexValues::from_subjects(&values.iter().map(|&value| vec![value]).collect::<Vec<_>>());
-        for Contrast { name, weights, .. } in &design.contrasts {
+        let values = VertexValues::from_subjects(&compared(values.iter().map(|&value| vec![value]).collect()));
+        for (Contrast { name, .. }, weights) in contrasts {
             let length = crate::statistics::linear::norm(&linear.observation_weights(weights));
             let effect = effect(&linear.contrast(&values, weights, observer)?, linear.degrees(), length);
             effects.push(WholeEffect { variable: variable.clone(), contrast: name.clone(), effect });

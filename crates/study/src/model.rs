@@ -49,6 +49,8 @@ pub struct ShapeModel {
     pub quality: ModelQuality,
     /// Squared Mahalanobis distance of each subject from the model of the others: how unusual its shape is.
     pub left_out: Vec<f64>,
+    /// For each further shape of [`ShapeModel::with_others`], the p-value of a shape as unusual.
+    pub others_p: Vec<f64>,
     /// Number of components that the distance weighs individually.
     pub distance_modes: usize,
 }
@@ -64,16 +66,18 @@ pub struct ModelQuality {
     pub specificity_mm: Vec<f64>,
 }
 
-/// Inner products of the shapes about the mean, mm².
+/// Inner products of all shapes with the first `n_members` about the mean, mm², a row for each shape, and the squared
+/// norm of each shape.
 ///
 /// # Errors
 /// Errors of reading.
 ///
 /// # Cost
-/// `O(n² V)`, and one read of every vertex.
-pub fn gram(shapes: &dyn Shapes, alignment: &Alignment) -> Result<Mat<f64>, StudyError> {
+/// `O(n · n_members · V)` for `n` shapes, and one read of every vertex.
+fn gram(shapes: &dyn Shapes, alignment: &Alignment, n_members: usize) -> Result<(Mat<f64>, Vec<f64>), StudyError> {
     let (n, v) = (shapes.len(), shapes.n_vertices());
-    let mut gram = Mat::<f64>::zeros(n, n);
+    let mut gram = Mat::<f64>::zeros(n, n_members);
+    let mut norms = vec![0.0; n];
     for first in (0..v).step_by(BLOCK) {
         let vertices = first..v.min(first + BLOCK);
         let columns = 3 * vertices.len();
@@ -89,6 +93,7 @@ pub fn gram(shapes: &dyn Shapes, alignment: &Alignment) -> Result<Mat<f64>, Stud
                 Ok((0..read.len()).flat_map(|k| <[f64; 3]>::from(at(k))).collect())
             })
             .collect::<Result<_, StudyError>>()?;
+        norms.iter_mut().zip(&rows).for_each(|(norm, row)| *norm += row.iter().map(|x| x * x).sum::<f64>());
         // A shape is a column, so products run over contiguous numbers.
         let block = Mat::from_fn(columns, n, |k, shape| rows[shape][k]);
         drop(rows);
@@ -98,8 +103,9 @@ pub fn gram(shapes: &dyn Shapes, alignment: &Alignment) -> Result<Mat<f64>, Stud
             .into_par_iter()
             .map(|row| {
                 let some = block.subcols(row, ROWS.min(n - row));
-                let mut part = Mat::zeros(some.ncols(), n);
-                matmul(part.as_mut(), Accum::Replace, some.transpose(), block.as_ref(), 1.0, Par::Seq);
+                let mut part = Mat::zeros(some.ncols(), n_members);
+                let members = block.subcols(0, n_members);
+                matmul(part.as_mut(), Accum::Replace, some.transpose(), members, 1.0, Par::Seq);
                 part
             })
             .collect();
@@ -108,7 +114,7 @@ pub fn gram(shapes: &dyn Shapes, alignment: &Alignment) -> Result<Mat<f64>, Stud
             rows += part;
         }
     }
-    Ok(gram)
+    Ok((gram, norms))
 }
 
 /// Eigenvalues, descending, and eigenvectors of the centered matrix over some subjects.
@@ -132,8 +138,14 @@ struct LeftOut {
     subjects: Vec<(usize, Vec<f64>, f64)>,
 }
 
-fn leave_out(gram: MatRef<'_, f64>, left: &[usize]) -> Result<LeftOut, StudyError> {
-    let n = gram.nrows();
+/// The model of the members without those in `left`, which get scores, as do `scored` shapes. `gram`, `norms`: those of
+/// [`gram()`].
+fn leave_out(
+    (gram, norms): (MatRef<'_, f64>, &[f64]),
+    left: &[usize],
+    scored: &[usize],
+) -> Result<LeftOut, StudyError> {
+    let n = gram.ncols();
     let others: Vec<usize> = (0..n).filter(|k| !left.contains(k)).collect();
     let m = others.len();
     let (values, vectors) = components(gram, &others)?;
@@ -141,18 +153,25 @@ fn leave_out(gram: MatRef<'_, f64>, left: &[usize]) -> Result<LeftOut, StudyErro
     let means: Vec<f64> = others.iter().map(|&j| mean_of(j)).collect();
     let whole = means.iter().sum::<f64>() / m as f64;
     let largest = values.first().copied().unwrap_or(0.0);
-    let subjects = left.iter().map(|&i| {
+    let subjects = left.iter().chain(scored).map(|&i| {
         let mean = mean_of(i);
-        let products: Vec<f64> = (0..m).map(|j| gram[(others[j], i)] - means[j] - mean + whole).collect();
+        let products: Vec<f64> = (0..m).map(|j| gram[(i, others[j])] - means[j] - mean + whole).collect();
         let scores = (0..values.len()).map(|k| {
             let along: f64 = (0..m).map(|j| vectors[(j, k)] * products[j]).sum();
             // A component without variance has no direction.
             if values[k] > 1e-14 * largest { along / values[k].sqrt() } else { 0.0 }
         });
-        (i, scores.collect(), (gram[(i, i)] - 2.0 * mean + whole).max(0.0))
+        (i, scores.collect(), (norms[i] - 2.0 * mean + whole).max(0.0))
     });
     let subjects = subjects.collect();
     Ok(LeftOut { variances: values.iter().map(|value| value / (m - 1) as f64).collect(), subjects })
+}
+
+impl LeftOut {
+    /// The squared Mahalanobis distance of each of its subjects.
+    fn distances(&self, modes: usize) -> Vec<f64> {
+        self.subjects.iter().map(|(_, scores, norm)| distance(scores, *norm, &self.variances, modes)).collect()
+    }
 }
 
 /// Number of components that explain a given share of the variance.
@@ -185,16 +204,38 @@ impl ShapeModel {
     /// Errors of reading; [`StudyError::Decomposition`]; [`StudyError::Interrupted`].
     ///
     /// # Cost
-    /// The cost of [`gram`], `n` (at most 200; above, 20) eigenvalue decompositions of an `n × n` matrix, and one read
-    /// of all shapes for the modes.
+    /// `O(n² V)` for inner products, `n` (at most 200; above, 20) eigenvalue decompositions of an `n × n` matrix, and
+    /// one read of all shapes for the modes.
     pub fn new(
         shapes: &dyn Shapes,
         alignment: &Alignment,
         seed: u64,
         observer: &dyn Observer,
     ) -> Result<Self, StudyError> {
+        Self::with_others(shapes, alignment, alignment.onto_mean.len(), seed, observer)
+    }
+
+    /// The model of the first `n` of the shapes, and the p-value of an unusual shape of each of the others. `alignment`:
+    /// the frame of the first `n`, with the transforms of all shapes onto its mean.
+    ///
+    /// # Errors
+    /// As [`ShapeModel::new`].
+    ///
+    /// # Cost
+    /// That of [`ShapeModel::new`], and for each other shape `O(n V)`, and `O(n²)` for each decomposition.
+    ///
+    /// # Source
+    /// Barber et al., *Predictive inference with the jackknife+*, Annals of Statistics 49, 2021: a member and another
+    /// shape are compared by their distances from one model that has seen neither.
+    pub fn with_others(
+        shapes: &dyn Shapes,
+        alignment: &Alignment,
+        n: usize,
+        seed: u64,
+        observer: &dyn Observer,
+    ) -> Result<Self, StudyError> {
         let shapes = &WatchedShapes { shapes, observer };
-        let (n, gram) = (shapes.len(), gram(shapes, alignment)?);
+        let (gram, norms) = gram(shapes, alignment, n)?;
         let (values, mut vectors) = components(gram.as_ref(), &(0..n).collect::<Vec<_>>())?;
         // The sign of a mode is arbitrary; the subject farthest along it is placed on its positive side.
         for k in 0..vectors.ncols() {
@@ -212,15 +253,24 @@ impl ShapeModel {
         let distance_modes = explaining(&variances, DISTANCE_VARIANCE).clamp(1, (n / 4).max(1));
         let n_folds = n_folds(n);
         let folds: Vec<Vec<usize>> = (0..n_folds).map(|fold| (fold..n).step_by(n_folds).collect()).collect();
+        let others: Vec<usize> = (n..norms.len()).collect();
         let left_out = |left: Vec<usize>| {
             checkpoint(observer)?;
-            leave_out(gram.as_ref(), &left)
+            leave_out((gram.as_ref(), &norms), &left, &others)
         };
         let folds: Vec<LeftOut> = folds.into_par_iter().map(left_out).collect::<Result<_, StudyError>>()?;
         let (mut left_out, mut generalization_mm) = (vec![0.0; n], vec![0.0; kept]);
+        let mut more_unusual = vec![0; others.len()];
         for fold in &folds {
-            for (i, scores, squared_norm) in &fold.subjects {
-                left_out[*i] = distance(scores, *squared_norm, &fold.variances, distance_modes);
+            let distances = fold.distances(distance_modes);
+            let of_others = fold.subjects.iter().zip(&distances).filter(|((i, ..), _)| *i >= n);
+            for ((other, ..), own) in of_others {
+                let members = fold.subjects.iter().zip(&distances).filter(|((i, ..), of)| *i < n && *of >= own);
+                more_unusual[other - n] += members.count();
+            }
+            let members = fold.subjects.iter().zip(&distances).filter(|((i, ..), _)| *i < n);
+            for ((i, scores, squared_norm), distance) in members {
+                left_out[*i] = *distance;
                 let mut rest = *squared_norm;
                 for (k, sum) in generalization_mm.iter_mut().enumerate() {
                     rest -= scores.get(k).map_or(0.0, |score| score * score);
@@ -233,7 +283,8 @@ impl ShapeModel {
         let specificity_mm = specificity(&scores, &variances, kept, seed, observer)?;
         let modes = modes(shapes, alignment, &vectors, &values, kept)?;
         let quality = ModelQuality { compactness, generalization_mm, specificity_mm };
-        Ok(ShapeModel { variances, modes, scores, quality, left_out, distance_modes })
+        let others_p = more_unusual.iter().map(|more| (more + 1) as f64 / (n + 1) as f64).collect();
+        Ok(ShapeModel { variances, modes, scores, quality, left_out, others_p, distance_modes })
     }
 
     /// The mean moved along a mode by a number of its standard deviations.
@@ -254,14 +305,8 @@ impl ShapeModel {
         (scores, distance)
     }
 
-    /// Share of the subjects of the model, the new one included, whose shape is at least as unusual to a model of the
-    /// others: a p-value that needs no distribution.
-    pub fn unusual(&self, distance: f64) -> f64 {
-        let more = self.left_out.iter().filter(|&&other| other >= distance).count();
-        (more + 1) as f64 / (self.left_out.len() + 1) as f64
-    }
-
-    /// The p-value of [`Self::unusual`] for a subject of the model.
+    /// The p-value of a shape as unusual as that of a subject of the model: the share of the subjects, itself included,
+    /// that are at least as far from a model of the others. Uniform if it is one of them, whatever their distribution.
     pub fn unusual_of(&self, subject: usize) -> f64 {
         let own = self.left_out[subject];
         self.left_out.iter().filter(|&&other| other >= own).count() as f64 / self.left_out.len() as f64
@@ -283,7 +328,7 @@ fn modes(
 ) -> Result<Vec<Vec<Vector3<f64>>>, StudyError> {
     let v = shapes.n_vertices();
     let mut modes = vec![vec![Vector3::zeros(); v]; kept];
-    for shape in 0..shapes.len() {
+    for shape in 0..vectors.nrows() {
         let read = points(&shapes.read(shape, 0..v)?);
         let place = &alignment.onto_mean[shape];
         let difference: Vec<Vector3<f64>> =

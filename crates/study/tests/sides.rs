@@ -98,7 +98,8 @@ fn an_asymmetry_is_found_where_it_is_and_every_file_stays_in_its_subjects_coordi
 
     // Right against left: thinner at the dent on top, and nearly nowhere else.
     let statistics = found.statistics.as_ref().unwrap();
-    assert!(statistics.longitudinal, "two structures of one person");
+    assert_eq!(statistics.pairs.as_ref().map(|of| of.pairs.len()), Some(PEOPLE), "two structures of one person");
+    assert!(!statistics.longitudinal && statistics.degrees == (PEOPLE - 1) as f64);
     assert_eq!(statistics.design.contrasts[0].name, "right-left");
     let (effect, mean) = (statistics.maps[0].effect(), found.mean.vertices());
     let height = |v: &usize| mean[*v].z - 0.1 * (mean[*v].x.powi(2) + mean[*v].y.powi(2));
@@ -128,8 +129,11 @@ fn an_asymmetry_is_found_where_it_is_and_every_file_stays_in_its_subjects_coordi
     assert!(
         page.contains("<h1>Study of 8 surfaces of 4 subjects</h1>") && page.contains("<p>8 surfaces of 4 subjects, ")
     );
-    assert!(page.contains("<strong>Few subjects:</strong>") && page.contains("smallest q (FDR)"));
-    assert!(!page.contains("g there") && !page.contains("<td></td><td>0"), "empty cells");
+    assert!(
+        page.contains("<strong>Few sign flips are possible:</strong>")
+            && page.contains("Differences within 4 subjects")
+    );
+    assert!(page.contains("g there") && !page.contains("<td></td><td>0"), "empty cells");
     let members = page.split_once("Subjects of the model").unwrap().1.split_once("</table>").unwrap().0;
     assert!(members.contains("<td>subjects</td><td class=\"number\">4</td><td class=\"number\">4</td>"), "{members}");
     assert!(members.contains("<td>surfaces</td><td class=\"number\">8</td><td class=\"number\">4</td>"), "{members}");

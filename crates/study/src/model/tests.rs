@@ -7,6 +7,8 @@ use crate::settings::Size;
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_primitives::observe::Silent;
+use homolog_registration::SimilarityTransform;
+use nalgebra::Matrix3;
 
 /// Ellipsoids that differ in two ways and a little noise.
 fn group(n: usize) -> (SurfaceMesh, Vec<Vec<[f32; 3]>>) {
@@ -104,13 +106,21 @@ fn leaving_out_is_a_model_of_the_others() {
 fn an_unusual_shape_is_noticed_and_specificity_is_a_distance_of_shapes() {
     let (mesh, shapes) = group(40);
     let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
-    let model = ShapeModel::new(&shapes, &alignment, 1, &Silent).unwrap();
     let bulge: Vec<_> =
         alignment.mean.iter().map(|p| if p.x > 6.0 { p + Vector3::new(0.0, 0.0, 1.5) } else { *p }).collect();
-    let (_, distance) = model.score(&alignment, &bulge);
-    assert!((model.unusual(distance) - 1.0 / 41.0).abs() < 1e-12);
-    let (_, none) = model.score(&alignment, &alignment.mean);
-    assert!(model.unusual(none) > 0.99);
+    let mut all = shapes.clone();
+    all.extend(
+        [&bulge, &alignment.mean].map(|shape| shape.iter().map(|p| p.coords.map(|x| x as f32).into()).collect()),
+    );
+    let mut frame = alignment.clone();
+    let here = SimilarityTransform { rotation: Matrix3::identity(), translation: Vector3::zeros(), scale: 1.0 };
+    frame.onto_mean.extend([here, here]);
+    let model = ShapeModel::with_others(&all, &frame, 40, 1, &Silent).unwrap();
+    assert!((model.others_p[0] - 1.0 / 41.0).abs() < 1e-12, "{:?}", model.others_p);
+    assert!(model.others_p[1] > 0.99);
+    // The model is that of the first 40 alone.
+    let alone = ShapeModel::new(&shapes, &alignment, 1, &Silent).unwrap();
+    assert_eq!(ShapeModel { others_p: Vec::new(), ..model.clone() }, alone);
     // With one mode: the mean moved along it, compared with all subjects.
     let nearest = |length: f64| {
         let shape: Vec<_> = alignment.mean.iter().zip(&model.modes[0]).map(|(p, mode)| p + length * mode).collect();

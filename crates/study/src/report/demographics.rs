@@ -8,6 +8,8 @@ use crate::plan::Study;
 use homolog_run::page::escaped;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Number of pairs below which sign flips are reported as few: no p below 0.001 is possible.
+const FEW_PAIRS: usize = 11;
 /// Number of different permutations below which they are reported as few: no p below 0.001 is possible.
 const FEW_PERMUTATIONS: f64 = 1000.0;
 
@@ -135,10 +137,26 @@ pub(super) fn degrees(study: &Study, found: &Findings) -> String {
         return html;
     }
     html.push_str(&format!(
-        "<p>With {} permutations no corrected p is below {:.4}.</p>\n",
+        "<p>With {} permutations or sign flips no corrected p is below {:.4}.</p>\n",
         study.settings.analysis.permutations,
         1.0 / study.settings.analysis.permutations.max(1) as f64
     ));
+    if let Some(of) = &statistics.pairs {
+        let (pairs, single) = (of.pairs.len(), of.single);
+        html.push_str(&format!(
+            "<p>Differences within {pairs} subjects are tested against zero, by flipping their signs; {single} subjects with one \
+             surface are left out.</p>\n"
+        ));
+        if pairs < FEW_PAIRS {
+            html.push_str(&format!(
+                "<p class=\"warning\"><strong>Few sign flips are possible:</strong> the signs of {pairs} differences can be chosen in {} \
+                 ways that differ in |t|, so that no corrected p can be below {:.3}, however many are drawn.</p>\n",
+                1u32 << (pairs - 1),
+                1.0 / f64::from(1u32 << (pairs - 1))
+            ));
+        }
+        return html;
+    }
     // With further covariates, residuals differ within a group, so that nearly all orders differ.
     let has_covariates = !study.settings.analysis.adjust.is_empty();
     let effect = study.settings.analysis.effect.as_ref().and_then(|name| study.cohort.covariate(name));

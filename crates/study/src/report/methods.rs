@@ -78,9 +78,17 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
              Wald tests, and the false discovery rate was controlled over vertices (Benjamini, Hochberg)."
                 .to_owned()
         } else {
+            let (pairs, exchanges) = match &statistics.pairs {
+                None => (String::new(), "permutations (Freedman, Lane"),
+                Some(of) => {
+                    let n = of.pairs.len();
+                    let text = format!("Differences within {n} subjects were tested against zero ({} without a pair). ", of.single);
+                    (text, "sign flips of these differences (Winkler et al. 2014")
+                }
+            };
             format!(
-                "Standard errors, their p and the false discovery rate are robust to unequal variances (HC3). The error over the \
-                 whole surface is controlled by {} permutations (Freedman, Lane; seed {}) of the largest threshold-free cluster \
+                "{pairs}Standard errors, their p and the false discovery rate are robust to unequal variances (HC3). The error over \
+                 the whole surface is controlled by {} {exchanges}; seed {}) of the largest threshold-free cluster \
                  enhancement of |t| (H = 2, E = 1, area of the mean), where t is the ordinary one with pooled variance: under the \
                  null hypothesis residuals are exchangeable; the false discovery rate by Benjamini and Hochberg from the robust p. Intervals of g \
                  are exact under normal residuals of equal variance. {} measures were tested; p-values are not corrected for that.",

@@ -6,6 +6,7 @@ pub mod effect;
 pub mod linear;
 pub mod mixed;
 pub mod multiple;
+pub mod paired;
 pub mod permutation;
 pub mod tfce;
 

@@ -5,6 +5,9 @@
 //! the largest enhanced |t| over all vertices are kept; their distribution controls the error over the whole surface.
 //! The first permutation is the unpermuted data, so that no p is below `1 / permutations`.
 //!
+//! Differences within pairs have no order to permute: their signs are flipped, which needs symmetric errors
+//! ([`Exchange::SignFlips`]).
+//!
 //! The model without the contrast is the part of the design orthogonal to the contrast's weights `a`
 //! ([`LinearModel::observation_weights`]), so no column has to be chosen for it.
 //!
@@ -43,6 +46,43 @@ const AT_ONCE: usize = 64;
 const OF_TASK: usize = 64;
 /// Tasks whose counts, one per vertex, are in memory at the same time.
 const TASKS: usize = 32;
+
+/// What does not change the distribution of residuals if there is no effect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Exchange {
+    /// Another order of the subjects.
+    Permutations,
+    /// Another sign of each subject.
+    SignFlips,
+}
+
+/// An exchange of residuals: subject `k` has the residual of subject `from[k]`, times `sign[k]`.
+struct Shuffle {
+    from: Vec<usize>,
+    sign: Vec<f64>,
+}
+
+impl Shuffle {
+    fn of_order(from: Vec<usize>) -> Self {
+        let sign = vec![1.0; from.len()];
+        Shuffle { from, sign }
+    }
+
+    /// The exchange of a number; 0 leaves the data as they are.
+    fn new(exchange: Exchange, n: usize, seed: u64, number: u64) -> Self {
+        match exchange {
+            Exchange::Permutations => Self::of_order(order(n, seed, number)),
+            Exchange::SignFlips => Shuffle { from: (0..n).collect(), sign: signs(n, seed, number) },
+        }
+    }
+}
+
+/// The signs of subjects in a flip: a function of seed and number alone.
+fn signs(n: usize, seed: u64, number: u64) -> Vec<f64> {
+    let mut random = Xoshiro256PlusPlus::seed_from_u64(seed ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let mut draw = || if random.next_u64() >> 63 == 0 { 1.0 } else { -1.0 };
+    (0..n).map(|_| if number == 0 { 1.0 } else { draw() }).collect()
+}
 
 /// The order of subjects in a permutation: a function of seed and number alone.
 fn order(n: usize, seed: u64, number: u64) -> Vec<usize> {
@@ -90,12 +130,13 @@ impl<'a> Test<'a> {
         Ok(Test { model, unit, reduced, squares, n })
     }
 
-    /// t at every vertex when subject `k` has the residual of subject `order[k]`.
-    fn t(&self, order: &[usize], observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
+    /// t at every vertex after an exchange of residuals.
+    fn t(&self, shuffle: &Shuffle, observer: &dyn Observer) -> Result<Vec<f64>, Cancelled> {
         // Permuting the few columns of the design in reverse gives the same products as permuting all residuals.
         let moved = |column: &[f64]| {
             let mut moved = vec![0.0; self.n];
-            order.iter().zip(column).for_each(|(&from, &x)| moved[from] = x);
+            let exchanged = shuffle.from.iter().zip(&shuffle.sign).zip(column);
+            exchanged.for_each(|((&from, sign), &x)| moved[from] = sign * x);
             moved
         };
         let (unit, basis) = (moved(&self.unit), self.model.basis().iter().map(|q| moved(q)).collect::<Vec<_>>());
@@ -115,7 +156,7 @@ impl<'a> Test<'a> {
     }
 }
 
-/// Tests a contrast by `permutations` orders of subjects, the data included. `enhancer` belongs to the mesh of the
+/// Tests a contrast by `permutations` exchanges of residuals, the data included. `enhancer` belongs to the mesh of the
 /// vertices.
 ///
 /// The result depends on the seed, not on threads. `O(permutations · V · (n p + log V))`, with counts of 4 bytes per
@@ -132,9 +173,26 @@ pub fn test(
     seed: u64,
     observer: &dyn Observer,
 ) -> Result<PermutationMap, Cancelled> {
+    test_by(Exchange::Permutations, model, values, contrast, enhancer, (permutations, seed), observer)
+}
+
+/// As [`test`], by permutations or sign flips; `how_many`: their number and seed.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn test_by(
+    exchange: Exchange,
+    model: &LinearModel,
+    values: &VertexValues,
+    contrast: &[f64],
+    enhancer: &Enhancer<'_>,
+    (permutations, seed): (usize, u64),
+    observer: &dyn Observer,
+) -> Result<PermutationMap, Cancelled> {
+    let shuffle = |n: usize, number: u64| Shuffle::new(exchange, n, seed, number);
     let test = Test::new(model, values, contrast, observer)?;
     let permutations = permutations.max(1);
-    let t = test.t(&order(test.n, seed, 0), observer)?;
+    let t = test.t(&shuffle(test.n, 0), observer)?;
     let tfce = enhancer.clone().enhance(&t);
     let largest = |map: &[f64]| map.iter().fold(0.0f64, |top, x| top.max(x.abs()));
     let numbers: Vec<u64> = (1..permutations as u64).collect();
@@ -146,7 +204,7 @@ pub fn test(
             .map(|numbers| {
                 let (mut enhancer, mut counts) = (enhancer.clone(), vec![0u32; t.len()]);
                 let tops = numbers.iter().map(|&number| {
-                    let other = test.t(&order(test.n, seed, number), observer)?;
+                    let other = test.t(&shuffle(test.n, number), observer)?;
                     counts.iter_mut().zip(&other).zip(&t).for_each(|((count, other), own)| {
                         *count += u32::from(reaches(other.abs(), own.abs()));
                     });
@@ -189,7 +247,7 @@ pub fn t_of_orders(
     observer: &dyn Observer,
 ) -> Result<Vec<Vec<f64>>, Cancelled> {
     let test = Test::new(model, values, contrast, observer)?;
-    orders.iter().map(|order| test.t(order, observer)).collect()
+    orders.iter().map(|order| test.t(&Shuffle::of_order(order.clone()), observer)).collect()
 }
 
 /// Whether a permuted statistic is as large as that of the data, up to rounding: orders that only exchange equal
@@ -240,13 +298,35 @@ mod tests {
                 (0..20).map(|i| residuals.iter().map(|e| e[order[i]]).collect()).collect()
             };
             let expected = model.contrast(&VertexValues::from_subjects(&subjects), &contrast, &Silent).unwrap().t;
-            for (a, b) in test.t(&order, &Silent).unwrap().iter().zip(&expected) {
+            for (a, b) in test.t(&Shuffle::of_order(order), &Silent).unwrap().iter().zip(&expected) {
                 assert!((a - b).abs() < 1e-9, "{a} {b}");
             }
         }
         // The unpermuted data.
         let own = model.contrast(&values, &contrast, &Silent).unwrap().t;
-        assert!(test.t(&order(20, 4, 0), &Silent).unwrap().iter().zip(&own).all(|(a, b)| (a - b).abs() < 1e-9));
+        assert!(
+            test.t(&Shuffle::of_order(order(20, 4, 0)), &Silent)
+                .unwrap()
+                .iter()
+                .zip(&own)
+                .all(|(a, b)| (a - b).abs() < 1e-9)
+        );
+    }
+
+    #[test]
+    fn t_of_flipped_signs_is_that_of_flipped_differences() {
+        let (_, values) = data(0.3);
+        let model = LinearModel::new(&Mat::from_fn(20, 1, |_, _| 1.0));
+        let test = Test::new(&model, &values, &[1.0], &Silent).unwrap();
+        for number in [0, 1, 5] {
+            let signs = signs(20, 4, number);
+            assert_eq!(signs.contains(&-1.0), number > 0);
+            let flipped: Vec<Vec<f64>> =
+                (0..20).map(|i| values.vertices().map(|y| signs[i] * y[i]).collect()).collect();
+            let expected = model.contrast(&VertexValues::from_subjects(&flipped), &[1.0], &Silent).unwrap().t;
+            let found = test.t(&Shuffle::new(Exchange::SignFlips, 20, 4, number), &Silent).unwrap();
+            assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-9));
+        }
     }
 
     #[test]

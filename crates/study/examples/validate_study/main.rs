@@ -1,0 +1,135 @@
+//! Known deformations put into real groups of hippocampi: how much of them a study finds, how much it finds beside them, and how
+//! often it finds something where nothing was put. Writes `report.md`. `make validate-study` runs it.
+//!
+//! Every other subject is deformed in a patch and matched again. The *oracle* has the true correspondence of the deformation: the
+//! maps of the subjects as they were, moved by the deformation of the surface. It differs from a study of the deformed surfaces only
+//! in what their matches do with the deformation, and has the same error of the maps otherwise.
+//!
+//! Usage: `validate_study DATA OUT [short]`, with label volumes in `DATA/hippocampus`. Matches are kept in OUT.
+#![allow(clippy::print_stdout)]
+
+mod group;
+mod null;
+mod planted;
+
+use group::{Bench, Maps};
+use homolog_study::findings::Findings;
+use homolog_study::settings::Correspondence;
+use planted::Plant;
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// What is measured.
+struct Plan {
+    subjects: usize,
+    sizes: Vec<usize>,
+    plants: Vec<Plant>,
+    permutations: usize,
+    splits: u64,
+    /// Largest group whose joint maps are made for a deformation.
+    joint_up_to: usize,
+}
+
+impl Plan {
+    fn short() -> Self {
+        let plants = vec![Plant { radius_mm: 12.0, height_mm: -1.0, share: 0.5 }];
+        Plan { subjects: 20, sizes: vec![20], plants, permutations: 200, splits: 40, joint_up_to: 20 }
+    }
+
+    fn long() -> Self {
+        let mut plants = Vec::new();
+        for height_mm in [-0.3, -1.0, -2.0, 1.0] {
+            for radius_mm in [6.0, 12.0, 20.0] {
+                plants.push(Plant { radius_mm, height_mm, share: 0.5 });
+            }
+        }
+        Plan { subjects: 130, sizes: vec![20, 60, 130], plants, permutations: 500, splits: 600, joint_up_to: 130 }
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().collect();
+    let (data, out, plan) = match arguments.as_slice() {
+        [_, data, out] => (data, out, Plan::long()),
+        [_, data, out, word] if word == "short" => (data, out, Plan::short()),
+        _ => return Err("usage: validate_study DATA OUT [short]".into()),
+    };
+    let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
+    let report = Path::new(out).join("report.md");
+    let mut text = format!(
+        "{} hippocampi, every other one deformed; {} permutations; {} vertices.\n\n{HEADER}",
+        plan.subjects,
+        plan.permutations,
+        bench.n_vertices()?
+    );
+    for plant in &plan.plants {
+        for &n in &plan.sizes {
+            for maps in [Maps::Oracle, Maps::Matched(Correspondence::Pairs), Maps::Matched(Correspondence::Joint)] {
+                if maps == Maps::Matched(Correspondence::Joint) && n > plan.joint_up_to {
+                    continue;
+                }
+                let line = row(plant, n, maps, &bench.found(plant, n, maps)?)?;
+                println!("{line}");
+                text.push_str(&line);
+                text.push('\n');
+                // Written as far as it is, because the long form takes hours.
+                std::fs::write(&report, &text)?;
+            }
+        }
+    }
+    writeln!(
+        text,
+        "\nSplits without an effect, {} of {} subjects each: share with any corrected p up to 0.05.\n",
+        plan.splits, plan.subjects
+    )?;
+    text.push_str("| maps | TFCE | largest \\|t\\| | standard error |\n|---|---|---|---|\n");
+    for how in Correspondence::ALL {
+        let line = null::row(&bench, how, plan.splits, plan.permutations)?;
+        println!("{line}");
+        text.push_str(&line);
+        std::fs::write(&report, &text)?;
+    }
+    println!("written to {}", report.display());
+    Ok(())
+}
+
+const HEADER: &str = "\
+Effect: mean over the part of the patch that moves by more than half of the height. SE: median standard error (HC3) there. Found: share \
+of the area of that part with a corrected p (TFCE, family-wise) up to 0.05. False: share of the significant area outside of the patch. \
+Distance: from the largest |t| to the middle of the patch on the mean.
+
+| radius, height, mm | n | maps | effect, mm | put there, mm | SE, mm | found | false | distance, mm |
+|---|---|---|---|---|---|---|---|---|
+";
+
+/// A line of the report.
+fn row(plant: &Plant, n: usize, maps: Maps, found: &Findings) -> Result<String, Box<dyn Error>> {
+    let map =
+        found.statistics.as_ref().and_then(|statistics| statistics.maps.first()).ok_or("there is no statistic")?;
+    let (linear, permuted) = map.linear.as_ref().ok_or("there is no permutation test")?;
+    let (expected, areas) = (plant.expected(&found.mean), homolog_study::align::vertex_areas(&found.mean));
+    let patch: Vec<usize> = (0..expected.len()).filter(|&v| expected[v].abs() > 0.5 * plant.height_mm.abs()).collect();
+    let area = |of: &dyn Fn(usize) -> bool| (0..areas.len()).filter(|&v| of(v)).map(|v| areas[v]).sum::<f64>();
+    let is_in: Vec<bool> = (0..areas.len()).map(|v| patch.contains(&v)).collect();
+    let is_found = |v: usize| permuted.p_tfce[v] <= 0.05;
+    let significant = area(&is_found);
+    let beside = area(&|v| is_found(v) && expected[v] == 0.0);
+    let mean = |values: &[f64]| patch.iter().map(|&v| values[v]).sum::<f64>() / patch.len().max(1) as f64;
+    let mut errors: Vec<f64> = patch.iter().map(|&v| linear.robust_se[v]).collect();
+    errors.sort_by(f64::total_cmp);
+    let t = &permuted.t;
+    let largest = (0..t.len()).fold(0, |best, v| if t[v].abs() > t[best].abs() { v } else { best });
+    let distance = (found.mean.vertices()[largest] - plant.middle(&found.mean)).norm();
+    Ok(format!(
+        "| {:.0}, {:+.1} | {n} | {} | {:+.2} | {:+.2} | {:.2} | {:.2} | {:.3} | {distance:.1} |",
+        plant.radius_mm,
+        plant.height_mm,
+        maps.name(),
+        mean(&linear.effect),
+        mean(&expected),
+        errors.get(errors.len() / 2).copied().unwrap_or(f64::NAN),
+        area(&|v| is_in[v] && is_found(v)) / area(&|v| is_in[v]).max(f64::MIN_POSITIVE),
+        if significant > 0.0 { beside / significant } else { 0.0 },
+    ))
+}

@@ -1,0 +1,370 @@
+//! Scores one new subject against the group of a study: how far it deviates at every vertex, where it deviates more than a
+//! member of the group would anywhere, and how unusual its shape is.
+//!
+//! The subject joins the study with the role `score`, so it costs one match and changes neither the template nor the maps
+//! and the model of the others. Its group is the model of the study, or the members with one level of a covariate.
+
+use crate::align::{WatchedShapes, align};
+use crate::cohort::{Cohort, Role, Subject, Values};
+use crate::error::StudyError;
+use crate::findings::{Place, SubjectFindings, moved, onto_mean, placed};
+use crate::folder::{Decision, Folder, json};
+use crate::matching::{Interruption, Watcher};
+use crate::measures::measured;
+use crate::model::ShapeModel;
+use crate::normative::{Bound, Calibration, LeaveOneOut, Norm, largest};
+use crate::plan::{Matched, Records, Study};
+use crate::settings::{Measure, Settings};
+use homolog_contract::input::BodySide;
+use homolog_contract::parameters::LabelChoice;
+use homolog_formats::gifti::write_gifti;
+use homolog_formats::vtk::write_vtk_with;
+use homolog_formats::{VertexArray, VertexValues};
+use homolog_mesh::SurfaceMesh;
+use nalgebra::Point3;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+/// Largest group; of a larger one, a choice that is random with respect to shape.
+const MOST_MEMBERS: usize = 1000;
+/// Smallest group.
+const FEWEST_MEMBERS: usize = 4;
+/// Family-wise level of the screening for lesions.
+const LEVEL: f64 = 0.05;
+
+/// A subject that is not part of the study.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NewSubject {
+    /// Its surface or label volume.
+    pub file: PathBuf,
+    /// Side of the body, if the study has sides.
+    pub side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure; `None` for those of the settings.
+    pub labels: Option<Vec<LabelChoice>>,
+}
+
+/// Members with one level of a covariate.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Within {
+    /// The covariate, a factor.
+    pub covariate: String,
+    /// Its level.
+    pub level: String,
+}
+
+impl Within {
+    /// Reads `COVARIATE=LEVEL`.
+    pub fn read(text: &str) -> Option<Self> {
+        let (covariate, level) = text.split_once('=')?;
+        let is_complete = !covariate.is_empty() && !level.is_empty();
+        is_complete.then(|| Within { covariate: covariate.to_owned(), level: level.to_owned() })
+    }
+}
+
+/// A connected region of vertices beyond the bound, all in one direction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Region {
+    /// Its vertices.
+    pub vertices: usize,
+    /// Its area on the mean of the group, mm².
+    pub area_mm2: f64,
+    /// The vertex of the largest absolute score.
+    pub peak: usize,
+    /// Position of the peak in the subject's coordinates, mm.
+    pub peak_mm: [f64; 3],
+    /// Score at the peak; positive outwards.
+    pub score: f64,
+    /// Deviation from the mean at the peak along the outward normal, mm.
+    pub deviation_mm: f64,
+}
+
+/// What a new subject shows, apart from its maps.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ScoreSummary {
+    /// The group, if it is a part of the study.
+    pub within: Option<Within>,
+    /// Members of the group.
+    pub members: usize,
+    /// Whether no reason was found to doubt the match; `None` for methods that do not judge.
+    pub reliable: Option<bool>,
+    /// The reasons to doubt it.
+    pub reasons: Vec<String>,
+    /// Mean distance of the subject's surface from the map, mm.
+    pub residual_mm: f64,
+    /// Squared Mahalanobis distance from the model of the group.
+    pub mahalanobis_squared: f64,
+    /// The p-value of a shape as unusual.
+    pub unusual_p: f64,
+    /// The largest absolute score.
+    pub largest_score: f64,
+    /// The p-value of a largest score as large.
+    pub largest_score_p: f64,
+    /// The bound of the screening.
+    pub bound: Bound,
+    /// How far the scores of left-out members are standard.
+    pub calibration: Calibration,
+    /// Regions beyond the bound, the largest score first.
+    pub regions: Vec<Region>,
+}
+
+/// What a new subject shows.
+#[derive(Debug, Clone)]
+pub struct SubjectScore {
+    /// In figures.
+    pub summary: ScoreSummary,
+    /// Score at each vertex of the template; positive outwards.
+    pub scores: Vec<f64>,
+    /// Deviation from the mean of the group along the outward normal at each vertex, mm.
+    pub deviation_mm: Vec<f64>,
+    /// The template deformed onto the subject, in the subject's coordinates.
+    pub surface: SurfaceMesh,
+    /// The mean of the group.
+    pub mean: SurfaceMesh,
+}
+
+/// Adds a subject with the role `score`; returns its index. The side of the template stays that of the study.
+///
+/// # Errors
+/// [`StudyError::Settings`] if the subject has a side and the study has none, or the other way round.
+pub fn add(cohort: &mut Cohort, settings: &mut Settings, new: NewSubject) -> Result<usize, StudyError> {
+    settings.template_side = crate::sides::template_side(cohort, settings)?;
+    let fault = |text: &str| Err(StudyError::Settings(text.to_owned()));
+    match (settings.template_side, new.side) {
+        (Some(_), None) => return fault("the study has sides: state that of the subject, left or right"),
+        (None, Some(_)) => return fault("the study has no sides: leave that of the subject out"),
+        _ => {}
+    }
+    let ids: BTreeSet<&str> = cohort.subjects.iter().flat_map(|of| [of.id.as_str(), of.subject.as_str()]).collect();
+    let id = (0..).map(|k: usize| format!("scored-{k}")).find(|id| !ids.contains(id.as_str())).unwrap_or_default();
+    for covariate in &mut cohort.covariates {
+        match &mut covariate.values {
+            Values::Numbers(of) => of.push(None),
+            Values::Factor { of, .. } => of.push(None),
+        }
+    }
+    let NewSubject { file, side, labels } = new;
+    cohort.subjects.push(Subject { subject: id.clone(), id, file, role: Role::Score, side, labels });
+    Ok(cohort.subjects.len() - 1)
+}
+
+/// Scores subject `k` of a study, which has the role `score`, against the members, or those `within` a level.
+///
+/// # Errors
+/// [`StudyError::Settings`] for an unknown group; [`StudyError::TooFewMatches`] if the subject has no match or the group
+/// fewer than four members; errors of the model.
+///
+/// # Cost
+/// For `n` members and `V` vertices that of the shape model, and `O(n V)` quantiles of Student's t. Joint maps of the group
+/// are made again if those of the subject are missing.
+pub fn score(
+    study: &Study,
+    matched: &Matched,
+    folder: &Folder,
+    decisions: &[Decision],
+    (k, within): (usize, Option<&Within>),
+    watcher: &dyn Watcher,
+) -> Result<SubjectScore, StudyError> {
+    let observer = &Interruption(watcher);
+    let mut matched = matched.clone();
+    let (subjects, members, _) = placed(study, &mut matched, folder, decisions, watcher)?;
+    if subjects[k].place == Place::Failed {
+        let reason = subjects[k].facts.error.clone().unwrap_or_default();
+        return Err(StudyError::TooFewMatches { matched: 0, all: 1, purpose: "to score the subject", reason });
+    }
+    let group = group(study, &matched, &members, k, within)?;
+    watcher.progress("shape model", 0, 1);
+    let template = &matched.making.template.mesh;
+    let key = |k: &usize| (matched.keys[*k].clone(), study.cohort.subjects[*k].id.clone());
+    let shapes = folder.shapes(group.iter().map(key).collect(), template.n_vertices());
+    let alignment = align(&WatchedShapes { shapes: &shapes, observer }, template, study.settings.size)?;
+    let mut frame = alignment.clone();
+    frame.onto_mean.push(onto_mean(study, &matched, folder, &alignment, k)?.1);
+    let all = folder.shapes(group.iter().chain([&k]).map(key).collect(), template.n_vertices());
+    let model = ShapeModel::with_others(&all, &frame, group.len(), study.settings.analysis.seed, observer)?;
+    let mean = template.with_vertices(alignment.mean.clone())?;
+    let values = |k: usize| -> Result<Vec<f64>, StudyError> {
+        let own = mean.with_vertices(moved(study, &matched, folder, &alignment, k)?)?;
+        Ok(measured(Measure::NormalDisplacement, &mean, &own, observer)?.unwrap_or_default())
+    };
+    watcher.progress("statistics", 0, 1);
+    let of_members: Vec<Vec<f64>> = group.par_iter().map(|&k| values(k)).collect::<Result<_, _>>()?;
+    let own = values(k)?;
+    let few = || too_few(&group, "a normative score needs subjects that differ");
+    let norm = Norm::new(of_members, alignment.weights.clone()).ok_or_else(few)?;
+    let left_out = norm.leave_one_out(observer)?;
+    let scores = norm.scores(&own);
+    let deviation_mm: Vec<f64> = own.iter().zip(norm.mean()).map(|(y, mean)| y - mean).collect();
+    let points = folder.get(&matched.keys[k])?.map(|record| record.points).unwrap_or_default();
+    let surface = crate::sides::bent(template, crate::align::points(&points), study.is_mirrored(k))?;
+    let (_, distance) = model.score(&alignment, &moved(study, &matched, folder, &alignment, k)?);
+    let mut summary = summary(&subjects[k], &left_out, &scores, within, group.len());
+    (summary.mahalanobis_squared, summary.unusual_p) = (distance, model.others_p.first().copied().unwrap_or(1.0));
+    summary.regions = regions(&mean, surface.vertices(), &scores, &deviation_mm, summary.bound.score);
+    Ok(SubjectScore { summary, scores, deviation_mm, surface, mean })
+}
+
+fn too_few(group: &[usize], reason: &str) -> StudyError {
+    let n = group.len();
+    StudyError::TooFewMatches { matched: n, all: n, purpose: "for a normative score", reason: reason.to_owned() }
+}
+
+/// The members of the group: one row of each person, without a copy of the subject's own file.
+fn group(
+    study: &Study,
+    matched: &Matched,
+    members: &[usize],
+    k: usize,
+    within: Option<&Within>,
+) -> Result<Vec<usize>, StudyError> {
+    let is_within = level_of(&study.cohort, within)?;
+    let mut known = BTreeSet::new();
+    let is_own = |m: usize| study.hashes[m] == study.hashes[k] && matched.keys[m] == matched.keys[k];
+    let mut group: Vec<usize> = members.iter().copied().filter(|&m| is_within(m) && !is_own(m)).collect();
+    group.retain(|&m| known.insert(&study.cohort.subjects[m].subject));
+    if group.len() > MOST_MEMBERS {
+        // Keys are hashes.
+        group.sort_by(|&a, &b| matched.keys[a].cmp(&matched.keys[b]));
+        group.truncate(MOST_MEMBERS);
+        group.sort_unstable();
+    }
+    if group.len() < FEWEST_MEMBERS {
+        return Err(too_few(&group, "a normative score needs at least four"));
+    }
+    Ok(group)
+}
+
+/// Checks that a group exists.
+///
+/// # Errors
+/// [`StudyError::Settings`].
+pub fn check_group(cohort: &Cohort, within: Option<&Within>) -> Result<(), StudyError> {
+    level_of(cohort, within).map(|_| ())
+}
+
+type Membership<'a> = Box<dyn Fn(usize) -> bool + 'a>;
+
+fn level_of<'a>(cohort: &'a Cohort, within: Option<&Within>) -> Result<Membership<'a>, StudyError> {
+    let Some(Within { covariate, level }) = within else { return Ok(Box::new(|_| true)) };
+    let fault = |why: String| StudyError::Settings(why);
+    let found = cohort.covariate(covariate);
+    match found.map(|found| &found.values) {
+        None => Err(fault(format!("the study has no covariate {covariate}"))),
+        Some(Values::Numbers(_)) => Err(fault(format!("{covariate} is a number and has no levels"))),
+        Some(Values::Factor { levels, of }) => match levels.iter().position(|of| of == level) {
+            None => Err(fault(format!("{covariate} has no level {level}; it has {}", levels.join(", ")))),
+            Some(level) => Ok(Box::new(move |k| of[k] == Some(level))),
+        },
+    }
+}
+
+fn summary(
+    subject: &SubjectFindings,
+    left_out: &LeaveOneOut,
+    scores: &[f64],
+    within: Option<&Within>,
+    members: usize,
+) -> ScoreSummary {
+    let most = largest(scores);
+    ScoreSummary {
+        within: within.cloned(),
+        members,
+        reliable: subject.facts.reliable,
+        reasons: subject.facts.reasons.clone(),
+        residual_mm: subject.facts.residual_mm,
+        mahalanobis_squared: 0.0,
+        unusual_p: 1.0,
+        largest_score: most,
+        largest_score_p: left_out.p_of_largest(most),
+        bound: left_out.bound(LEVEL),
+        calibration: left_out.calibration.clone(),
+        regions: Vec::new(),
+    }
+}
+
+/// The connected regions of vertices whose scores are beyond the bound in one direction.
+fn regions(mean: &SurfaceMesh, own: &[Point3<f64>], scores: &[f64], deviation_mm: &[f64], bound: f64) -> Vec<Region> {
+    let (graph, areas) = (mean.edge_graph(), crate::align::vertex_areas(mean));
+    let sign = |v: usize| if scores[v].abs() > bound { scores[v].signum() } else { 0.0 };
+    let (mut seen, mut regions) = (vec![false; scores.len()], Vec::new());
+    for first in 0..scores.len() {
+        if seen[first] || sign(first) == 0.0 {
+            continue;
+        }
+        seen[first] = true;
+        let (mut region, mut at) = (vec![first], 0);
+        while at < region.len() {
+            for &next in graph.neighbors(region[at]) {
+                let next = next as usize;
+                if !seen[next] && sign(next) == sign(first) {
+                    seen[next] = true;
+                    region.push(next);
+                }
+            }
+            at += 1;
+        }
+        let most = |best: usize, v: usize| if scores[v].abs() > scores[best].abs() { v } else { best };
+        let peak = region.iter().copied().fold(first, most);
+        regions.push(Region {
+            vertices: region.len(),
+            area_mm2: region.iter().map(|&v| areas[v]).sum(),
+            peak,
+            peak_mm: own[peak].coords.into(),
+            score: scores[peak],
+            deviation_mm: deviation_mm[peak],
+        });
+    }
+    regions.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));
+    regions
+}
+
+/// `score.json`: a score, with the build that made it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ScoreDocument {
+    /// Version of homolog.
+    pub version: String,
+    /// Commit of the build.
+    pub commit: String,
+    /// The figures.
+    #[serde(flatten)]
+    pub summary: ScoreSummary,
+    /// Score at each vertex of the template.
+    pub scores: Vec<f32>,
+    /// Deviation from the mean of the group along the outward normal at each vertex, mm.
+    pub deviation_mm: Vec<f32>,
+}
+
+impl SubjectScore {
+    /// Its document.
+    pub fn document(&self, commit: &str) -> ScoreDocument {
+        let short = |values: &[f64]| values.iter().map(|x| *x as f32).collect();
+        ScoreDocument {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            commit: commit.to_owned(),
+            summary: self.summary.clone(),
+            scores: short(&self.scores),
+            deviation_mm: short(&self.deviation_mm),
+        }
+    }
+
+    /// Its files, by name: `score.json`; the template deformed onto the subject with scores, deviations and the vertices
+    /// beyond the bound, as VTK and GIFTI; and the same arrays for the mean of the group, as VTK.
+    pub fn files(&self, commit: &str) -> Vec<(&'static str, Vec<u8>)> {
+        let real = |name, values: &[f64]| VertexArray { name, values: VertexValues::Real(values.to_vec()) };
+        let bound = self.summary.bound.score;
+        let beyond = self.scores.iter().map(|z| if z.abs() > bound { z.signum() as i32 } else { 0 }).collect();
+        let arrays = [
+            real("score", &self.scores),
+            real("deviation_mm", &self.deviation_mm),
+            VertexArray { name: "beyond_bound", values: VertexValues::Int(beyond) },
+        ];
+        vec![
+            ("score.json", json(&self.document(commit))),
+            ("subject.vtk", write_vtk_with(&self.surface, &arrays)),
+            ("subject.surf.gii", write_gifti(&self.surface, &arrays)),
+            ("mean.vtk", write_vtk_with(&self.mean, &arrays)),
+        ]
+    }
+}

@@ -1,3 +1,5 @@
+//! Scores of synthetic groups against what their distributions say.
+
 use super::*;
 use homolog_primitives::observe::Silent;
 use rand_core::Rng;

@@ -17,7 +17,7 @@ use utoipa::openapi::PathItem;
 use utoipa::openapi::path::Operation;
 
 /// Operations that change nothing but are recorded, because they return results about a patient or uploads.
-pub(super) const RECORDED_READS: [&str; 14] = [
+pub(super) const RECORDED_READS: [&str; 15] = [
     "get_result",
     "get_correspondences",
     "get_transform",
@@ -32,6 +32,7 @@ pub(super) const RECORDED_READS: [&str; 14] = [
     "get_study_result",
     "get_study_report",
     "get_study_archive",
+    "get_study_score",
 ];
 
 /// The recorded operations, by method and route, with their ids in the OpenAPI document.

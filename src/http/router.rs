@@ -283,6 +283,8 @@ pub(super) fn api() -> OpenApiRouter<HttpState> {
         .routes(routes!(routes::studies::cancel))
         .routes(routes!(routes::study_subjects::list, routes::study_subjects::add))
         .routes(routes!(routes::study_subjects::decide, routes::study_subjects::undecide))
+        .routes(routes!(routes::study_scores::submit))
+        .routes(routes!(routes::study_scores::get))
         .routes(routes!(routes::studies::result))
         .routes(routes!(routes::studies::report))
         .routes(routes!(routes::studies::archive))

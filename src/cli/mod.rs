@@ -25,6 +25,7 @@ mod phantom;
 mod progress;
 mod serve;
 mod study;
+mod study_score;
 mod summary;
 mod used;
 mod words;

@@ -7,15 +7,16 @@ use super::interrupt::Interrupt;
 use super::output::{note, print};
 use super::parameters::ParameterArgs;
 use super::progress::{Progress, WithoutTerminal};
-use clap::Args;
+use super::study_score::{self, ScoreArgs};
 use clap::builder::PossibleValuesParser;
+use clap::{Args, Subcommand};
 use homolog_contract::input::BodySide;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, Place, find};
 use homolog_study::folder::{Decision, Folder, read_decisions};
 use homolog_study::matching::Watcher;
-use homolog_study::output::{read_document, write};
+use homolog_study::output::{StudyDocument, read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use homolog_study::sides::template_side;
@@ -28,15 +29,18 @@ use std::path::{Path, PathBuf};
 /// A given template, or one made from the group, is matched to every subject. The matches are kept in the folder: the
 /// same command continues after an interruption, and a subject that is added later costs one match.
 #[derive(Debug, Clone, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub(super) struct StudyArgs {
+    #[command(subcommand)]
+    command: Option<StudyCommand>,
     /// A table of subjects (CSV with the column file and, optionally, id, subject, role and covariates), a folder of
     /// their files, or the study.json of a study to compute again
-    #[arg(value_name = "TABLE.csv|FOLDER|study.json")]
-    cohort: PathBuf,
+    #[arg(value_name = "TABLE.csv|FOLDER|study.json", required = true)]
+    cohort: Option<PathBuf>,
     /// Folder for everything that is found: study.json, report.html, tables, the mean, modes, maps, and the template bent onto
     /// every subject
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
+    #[arg(long, value_name = "DIR", required = true)]
+    out: Option<PathBuf>,
     /// Template: a surface or a label volume; default: made from the group
     #[arg(long, value_name = "FILE")]
     template: Option<PathBuf>,
@@ -93,19 +97,27 @@ pub(super) struct StudyArgs {
     parameters: ParameterArgs,
 }
 
+/// What is done with a study.
+#[derive(Debug, Clone, Subcommand)]
+enum StudyCommand {
+    Score(ScoreArgs),
+}
+
 /// Runs the command.
 ///
 /// # Errors
 /// [`CliError`].
 pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
-    let asked = asked(args)?;
-    let out = OutputFolder::create(&args.out)?;
-    let threads = args.threads.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))?;
-    let watcher = Display { progress: Progress::new(WithoutTerminal::Lines), interrupt: Interrupt::listen() };
+    if let Some(StudyCommand::Score(args)) = &args.command {
+        return study_score::run(args);
+    }
+    let (Some(cohort), Some(out)) = (&args.cohort, &args.out) else {
+        return Err(CliError::BadInput("a study needs subjects and --out".to_owned()));
+    };
+    let asked = asked(args, cohort)?;
+    let out = OutputFolder::create(out)?;
+    let (threads, pool) = threads(args.threads)?;
+    let watcher = Display::new();
     let done = pool.install(|| -> Result<Findings, StudyError> {
         let folder = Folder::create(out.path())?;
         let decisions = decisions(args, &asked, &folder)?;
@@ -127,6 +139,17 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     }
 }
 
+/// The number of threads, and a pool of them.
+///
+/// # Errors
+/// [`CliError::Failed`] if they cannot be started.
+pub(super) fn threads(asked: Option<std::num::NonZeroUsize>) -> Result<(usize, rayon::ThreadPool), CliError> {
+    let threads = asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))?;
+    Ok((threads, pool))
+}
+
 /// A requested study.
 struct Asked {
     cohort: Cohort,
@@ -136,7 +159,8 @@ struct Asked {
     decisions: Option<Vec<Decision>>,
 }
 
-fn said(error: StudyError) -> CliError {
+/// The error of the command for that of a study.
+pub(super) fn said(error: StudyError) -> CliError {
     match error {
         StudyError::Interrupted => CliError::Interrupted,
         StudyError::File { what: "write", path, source } => CliError::Write { path, source },
@@ -150,22 +174,32 @@ fn said(error: StudyError) -> CliError {
     }
 }
 
-fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
-    let unreadable =
-        |error: std::io::Error| CliError::BadInput(format!("cannot read {}: {error}", args.cohort.display()));
+/// The document of a study, with a note if another build computed it.
+///
+/// # Errors
+/// [`CliError::BadInput`].
+pub(super) fn document(path: &Path) -> Result<StudyDocument, CliError> {
+    let bytes = fs::read(path);
+    let bytes = bytes.map_err(|error| CliError::BadInput(format!("cannot read {}: {error}", path.display())))?;
+    let document = read_document(&bytes);
+    let document = document.map_err(|why| CliError::BadInput(format!("{}: {why}", path.display())))?;
+    if document.version != env!("CARGO_PKG_VERSION") || document.commit != env!("HOMOLOG_COMMIT") {
+        note(&format!(
+            "note: {} was computed with homolog {}, commit {}; this is another build, so that figures may differ",
+            path.display(),
+            document.version,
+            document.commit
+        ));
+    }
+    Ok(document)
+}
+
+fn asked(args: &StudyArgs, given: &Path) -> Result<Asked, CliError> {
+    let unreadable = |error: std::io::Error| CliError::BadInput(format!("cannot read {}: {error}", given.display()));
     // Absolute, so that study.json is valid from any folder.
-    let path = std::path::absolute(&args.cohort).map_err(unreadable)?;
+    let path = std::path::absolute(given).map_err(unreadable)?;
     if path.extension().is_some_and(|ending| ending == "json") {
-        let document = read_document(&fs::read(&path).map_err(unreadable)?)
-            .map_err(|why| CliError::BadInput(format!("{}: {why}", args.cohort.display())))?;
-        if document.version != env!("CARGO_PKG_VERSION") || document.commit != env!("HOMOLOG_COMMIT") {
-            note(&format!(
-                "note: {} was computed with homolog {}, commit {}; this is another build, so that figures may differ",
-                args.cohort.display(),
-                document.version,
-                document.commit
-            ));
-        }
+        let document = document(given)?;
         let decisions = Some(document.decisions);
         return Ok(Asked { cohort: document.cohort, settings: document.settings, hashes: document.hashes, decisions });
     }
@@ -176,8 +210,7 @@ fn asked(args: &StudyArgs) -> Result<Asked, CliError> {
     } else {
         Cohort::from_csv(&fs::read(&path).map_err(unreadable)?, path.parent().unwrap_or(Path::new("")))
     };
-    let named = |error| CliError::BadInput(format!("{}: {error}", args.cohort.display()));
-    let cohort = cohort.map_err(named)?;
+    let cohort = cohort.map_err(|error| CliError::BadInput(format!("{}: {error}", given.display())))?;
     for subject in &cohort.subjects {
         // Checked before the first match, which may be long before this file is read.
         fs::metadata(&subject.file)
@@ -286,9 +319,15 @@ fn summary(found: &Findings) -> String {
 }
 
 /// Progress on the standard error.
-struct Display {
+pub(super) struct Display {
     progress: Progress,
     interrupt: Interrupt,
+}
+
+impl Display {
+    pub(super) fn new() -> Self {
+        Display { progress: Progress::new(WithoutTerminal::Lines), interrupt: Interrupt::listen() }
+    }
 }
 
 impl Watcher for Display {

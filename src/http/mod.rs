@@ -47,6 +47,7 @@ mod routes;
 mod server;
 mod shares;
 mod strict_json;
+mod study_score_wire;
 mod study_wire;
 mod submission;
 mod ticketed;

@@ -128,6 +128,11 @@ operations! {
     GET    "/v1/studies/{id}/result"   get_study_result   = studies::result,     Read,   [Download, Etag, OfResult];
     GET    "/v1/studies/{id}/report"   get_study_report   = studies::report,     Read,   [Download, Etag, OfResult];
     GET    "/v1/studies/{id}/archive"  get_study_archive  = studies::archive,    Read,   [Download, Etag, OfResult];
+    POST   "/v1/studies/{id}/score"    score_study_subject = study_scores::submit, Submit, [Files, Form, Idempotent, Accepted, Queue, Slow, Busy, Full,
+        Says(409, "The study is not finished, or a request with the same Idempotency-Key is in progress"), Says(410, STUDY_GONE),
+        Says(413, "Larger than a limit of the service"), Says(415, "Neither multipart nor JSON, or an unknown file format"), Says(422, INVALID_SUBMISSION)];
+    GET    "/v1/studies/{id}/scores/{job}" get_study_score = study_scores::get, Read, [Download, Etag, OfResult,
+        Says(404, "No such job of this study")];
     GET    "/v1/studies/{id}/subjects" list_study_subjects = study_subjects::list, Read, [Pages("entries"), Says(410, STUDY_GONE)];
     POST   "/v1/studies/{id}/subjects" add_study_subjects = study_subjects::add, Submit, [Files, Form, Accepted, Queue, Slow,
         Says(410, STUDY_GONE), Says(413, TOO_LARGE_STUDY), Says(422, "Invalid fields or inputs")];

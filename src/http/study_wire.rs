@@ -135,7 +135,7 @@ fn names<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<String>, D::E
 }
 
 /// Reads at most [`MAX_LABELS`] labels; a single one may stand without brackets, and `null` is none.
-fn labels<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Vec<LabelChoice>>, D::Error> {
+pub(super) fn labels<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Vec<LabelChoice>>, D::Error> {
     struct Reader;
 
     impl<'de> Visitor<'de> for Reader {

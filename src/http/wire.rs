@@ -197,6 +197,9 @@ pub(crate) struct JobLinks {
     /// The study that it is part of.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) study: Option<String>,
+    /// The score of a new subject against this study, if it scores one and has succeeded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) score: Option<String>,
     /// The job of which it is a retry.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) retry_of: Option<String>,
@@ -481,7 +484,7 @@ impl From<&Job> for JobDocument {
     fn from(job: &Job) -> Self {
         let path = format!("/v1/jobs/{}", job.id);
         let succeeded = job.state == JobState::Succeeded && job.purged_at.is_none();
-        let part = |name: &str| succeeded.then(|| format!("{path}/{name}"));
+        let part = |name: &str| (succeeded && !job.is_score()).then(|| format!("{path}/{name}"));
         let links = JobLinks {
             trace: format!("{path}/trace"),
             events: format!("{path}/events"),
@@ -495,6 +498,10 @@ impl From<&Job> for JobDocument {
             report: part("report"),
             batch: job.batch_id.map(|id| format!("/v1/batches/{id}")),
             study: job.study_id.map(|id| format!("/v1/studies/{id}")),
+            score: job
+                .study_id
+                .filter(|_| succeeded && job.is_score())
+                .map(|id| format!("/v1/studies/{id}/scores/{}", job.id)),
             retry_of: job.retry_of.map(|id| format!("/v1/jobs/{id}")),
             cancel: (!job.state.is_final()).then(|| format!("{path}/cancel")),
             retry: (job.state.is_final() && job.purged_at.is_none()).then(|| format!("{path}/retry")),

@@ -9,7 +9,7 @@ use super::documents::Verdict;
 use super::job::Failure;
 use super::ports::ArtifactKind;
 use super::presentation::{PartFormat, PresentError, ResultPart};
-use super::study::{StudyDefinition, StudyFault, StudyMaterial};
+use super::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};
 use bytes::Bytes;
 use homolog_primitives::observe::Observer;
 use serde::{Deserialize, Serialize};
@@ -62,6 +62,15 @@ pub trait Engine: Send + Sync {
     fn check_study_size(&self, study: &StudyDefinition) -> Result<(), InputRefusal> {
         let _ = study;
         Ok(())
+    }
+
+    /// Checks what is asked about a new subject of a study, but not its file. Quick.
+    ///
+    /// # Errors
+    /// Every fault that can be seen before its match.
+    fn check_score(&self, study: &StudyDefinition, asked: &ScoreQuestions) -> Result<(), Vec<StudyFault>> {
+        let _ = asked;
+        self.check_study(study)
     }
 
     /// A part of a result in another format than the stored one, from its stored blobs in the order in which the part

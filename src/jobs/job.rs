@@ -4,7 +4,7 @@ use super::batch::BatchId;
 use super::documents::Verdict;
 use super::metadata::{ExternalRef, Tags};
 use super::state::JobState;
-use super::study::{STEP_METHOD, StudyId};
+use super::study::{SCORE_METHOD, STEP_METHOD, StudyId};
 use super::trace::Progress;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
@@ -194,6 +194,11 @@ impl Job {
     /// Whether it plans or models a study, and is hidden from clients.
     pub fn is_step(&self) -> bool {
         self.method == STEP_METHOD && self.study_id.is_some()
+    }
+
+    /// Whether it scores a new subject against a study.
+    pub fn is_score(&self) -> bool {
+        self.method == SCORE_METHOD && self.study_id.is_some()
     }
 
     /// The job as it was when it was accepted, as in the response to its submission.

@@ -3,7 +3,7 @@
 //! Reading order: [`state`] (the state machine), [`job`] (the record), [`lease`] (which worker runs it, fenced by an epoch),
 //! [`trace`] (progress and energy trace), [`demand`] (cores, memory and processor time), [`turns`] (of tenants), [`ports`] (storage), [`engine`] (the computation),
 //! [`service`] (the use cases), [`submission`], [`uploads`], [`follow`], [`signals`]. Beside the job: [`admission`], `stored` (bytes of a tenant),
-//! [`mod@batch`], [`study`] with [`study_submission`], [`study_outline`] and [`study_progress`], [`change`], [`mesh`], [`metadata`], [`key`], [`ticket`], [`audit`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
+//! [`mod@batch`], [`study`] with [`study_submission`], [`study_outline`], [`study_score`] and [`study_progress`], [`change`], [`mesh`], [`metadata`], [`key`], [`ticket`], [`audit`], [`webhook`], [`retention`], [`presentation`] (the formats of a result).
 //!
 //! Invariant: nothing here knows SQL, HTTP or how a match is computed. Parameters, reports and results pass through as JSON
 //! and blobs; an [`engine::Computation`] holds parameters in types that are opaque here.
@@ -34,6 +34,7 @@ mod stored;
 pub mod study;
 pub mod study_outline;
 pub mod study_progress;
+pub mod study_score;
 pub mod study_submission;
 pub mod submission;
 pub mod ticket;
@@ -70,6 +71,7 @@ pub use state::{CancelEffect, JobState, cancel_effect, state_after_crash, state_
 pub use study::{Study, StudyBlob, StudyChange, StudyId, StudyPage, StudyState, StudyStore};
 pub use study_outline::{OutlinedSubject, StudyOutline};
 pub use study_progress::StudyProgression;
+pub use study_score::ScoreSubmission;
 pub use submission::{
     Accepted, BatchForm, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput,
     Validated,

@@ -51,6 +51,8 @@ pub enum ArtifactKind {
     StudyReport,
     /// Everything that was found in a study, a zip archive.
     StudyArchive,
+    /// The score of a new subject against a study, JSON.
+    StudyScore,
 }
 
 impl ArtifactKind {
@@ -71,6 +73,7 @@ impl ArtifactKind {
             ArtifactKind::StudyDocument => "study_document",
             ArtifactKind::StudyReport => "study_report",
             ArtifactKind::StudyArchive => "study_archive",
+            ArtifactKind::StudyScore => "study_score",
         }
     }
 }

@@ -399,9 +399,11 @@ impl JobService {
     pub async fn result_part(&self, tenant: &Tenant, id: JobId, kind: ArtifactKind) -> Result<ArtifactRef, JobError> {
         match self.stores.jobs.get_artifact(tenant, id, kind).await? {
             (JobState::Succeeded, Some(artifact)) => Ok(artifact),
-            (JobState::Succeeded, None) => {
-                Err(JobError::Corrupt { what: "a succeeded job without its result", source: None })
-            }
+            // That of a score is the score alone.
+            (state @ JobState::Succeeded, None) => Err(match self.get(tenant, id).await?.is_score() {
+                true => JobError::NoResult { state },
+                false => JobError::Corrupt { what: "a succeeded job without its result", source: None },
+            }),
             (state, _) if state.is_final() => Err(JobError::NoResult { state }),
             (state, _) => Err(JobError::NotReady { state }),
         }

@@ -103,6 +103,23 @@ impl StudyState {
 /// The method of the hidden jobs that plan and model.
 pub const STEP_METHOD: &str = "study";
 
+/// The method of the jobs that score a new subject against a study.
+pub const SCORE_METHOD: &str = "study_score";
+
+/// What is asked about a new subject. It stands in the parameters of its job, under `score`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct ScoreQuestions {
+    /// On which side of the body it lies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side: Option<BodySide>,
+    /// Labels of its volume that belong to the structure; `None`: those of the study's parameters.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub labels: Option<Vec<LabelChoice>>,
+    /// The covariate and the level of the group; `None`: all members of the model.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub group: Option<(String, String)>,
+}
+
 /// Names of the blobs of a study. What begins with `matches/` or `template/` is a file of its folder.
 pub mod blob {
     /// The definition.
@@ -231,6 +248,17 @@ pub struct StudyDefinition {
 }
 
 impl StudyDefinition {
+    /// The study with a further subject, its last, that is only scored.
+    #[must_use]
+    pub fn with_scored(mut self, asked: &ScoreQuestions, input: JobInput) -> Self {
+        let is_free = |id: &String| !self.subjects.iter().any(|of| of.id == *id || of.subject.as_ref() == Some(id));
+        let id = (0..).map(|k: usize| format!("scored-{k}")).find(is_free).unwrap_or_default();
+        let (side, labels) = (asked.side, asked.labels.clone());
+        let (role, covariates) = (SubjectRole::Score, BTreeMap::new());
+        self.subjects.push(StudySubject { id, subject: None, role, side, labels, covariates, input });
+        self
+    }
+
     /// The surface that the template has the vertices of: the given template, or the largest subject that it may be made from.
     pub fn template_input(&self) -> Option<&JobInput> {
         let of_subject = |start: &String| self.subjects.iter().find(|subject| subject.id == *start);

@@ -293,6 +293,7 @@ impl JobService {
             return Err(JobError::Gone.into());
         }
         self.refuse_when_full(tenant).await?;
+        let is_score = first.is_score();
         // An earlier version may have stored what is not allowed any more.
         let refused = |fault| SubmitError::Metadata { job: String::new(), fault };
         let tags = Tags::new(first.tags).map_err(refused)?;
@@ -313,7 +314,8 @@ impl JobService {
             max_run_ms: first.max_run_ms,
             retry_of: Some(id),
             batch_id: None,
-            study_id: None,
+            // A score is nothing without its study; the match of a study is repeated by itself.
+            study_id: first.study_id.filter(|_| is_score),
             study_task: None,
             cache_key: None,
             use_cache: false,
@@ -506,7 +508,12 @@ impl JobService {
     }
 
     /// Stores the inputs of a job and then the job.
-    async fn store_job(&self, job: NewJob, inputs: Vec<CheckedInput>, once: Option<Once>) -> Result<Job, SubmitError> {
+    pub(super) async fn store_job(
+        &self,
+        job: NewJob,
+        inputs: Vec<CheckedInput>,
+        once: Option<Once>,
+    ) -> Result<Job, SubmitError> {
         let holder = job.id.to_string();
         let keys: Vec<ArtifactKey> = [&job.source, &job.target]
             .into_iter()

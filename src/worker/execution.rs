@@ -134,7 +134,7 @@ async fn run(
 ) -> (&'static str, Option<oneshot::Receiver<Computed>>) {
     let context = span.traceparent();
     let reading = Span::part("read inputs", context.as_deref());
-    let inputs = if job.is_step() {
+    let inputs = if job.is_step() || job.is_score() {
         study_material::read_step(parts, lease, job).await
     } else {
         read_inputs(parts, lease, job).await

@@ -5,9 +5,10 @@
 
 use super::price::PriceLimit;
 use super::study_engine::{self, StudyStep};
+use super::study_score::{self, ScoreStep};
 use super::{prediction, presentation};
 use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
-use crate::jobs::study::{STEP_METHOD, StudyDefinition, StudyFault};
+use crate::jobs::study::{SCORE_METHOD, STEP_METHOD, ScoreQuestions, StudyDefinition, StudyFault};
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
     InputSummary, InputView, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
@@ -112,6 +113,9 @@ impl Engine for MatchEngine {
         if parameters.get("method").and_then(Value::as_str) == Some(STEP_METHOD) {
             return Ok(Arc::new(StudyStep::restored(parameters)));
         }
+        if parameters.get("method").and_then(Value::as_str) == Some(SCORE_METHOD) {
+            return Ok(Arc::new(ScoreStep::restored(parameters)?));
+        }
         // Effective parameters resolve to themselves, unless another version stored them.
         let parameters = resolve(parameters).map_err(|faults| {
             let first = faults.first().map(|f| format!("{}: {}", f.pointer, f.detail)).unwrap_or_default();
@@ -122,6 +126,10 @@ impl Engine for MatchEngine {
 
     fn check_study(&self, study: &StudyDefinition) -> Result<(), Vec<StudyFault>> {
         study_engine::check(study)
+    }
+
+    fn check_score(&self, study: &StudyDefinition, asked: &ScoreQuestions) -> Result<(), Vec<StudyFault>> {
+        study_score::check(study, asked)
     }
 
     fn check_study_size(&self, study: &StudyDefinition) -> Result<(), InputRefusal> {

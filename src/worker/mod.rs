@@ -29,6 +29,7 @@ pub(crate) mod schedule;
 mod schedule_tests;
 pub(crate) mod study_engine;
 pub(crate) mod study_material;
+mod study_score;
 pub mod webhook_delivery;
 
 pub use pool::WorkerSettings;

@@ -1,6 +1,6 @@
 //! The steps of a study: which matches are missing, or, when none is, everything that is found.
 //!
-//! The only module of the service that knows [`homolog_study`], but for the record of a match. A step works on a folder in
+//! With `study_score` the only module of the service that knows [`homolog_study`], but for the record of a match. A step works on a folder in
 //! memory with the files that `homolog study` has on disk, so that both end with the same bytes.
 
 use super::machine;
@@ -122,7 +122,7 @@ fn cores() -> usize {
 }
 
 /// The demand of the largest step of a study.
-fn demand_of(size: &StudySize) -> Demand {
+pub(super) fn demand_of(size: &StudySize) -> Demand {
     Demand {
         cores: usize::try_from(size.subjects).unwrap_or(CORES).clamp(1, CORES),
         memory_bytes: step_bytes(size, cores()).saturating_add(BESIDES),
@@ -164,17 +164,17 @@ impl Computation for StudyStep {
     }
 }
 
-fn no_match() -> InputRefusal {
+pub(super) fn no_match() -> InputRefusal {
     let detail = "a step of a study takes no surfaces".to_owned();
     InputRefusal { code: "unsuitable-surface".to_owned(), detail, topology: None, place_mm: None }
 }
 
-fn internal_error() -> Failure {
+pub(super) fn internal_error() -> Failure {
     Failure::new("internal-error", "the study cannot be computed; the cause is in the service's log")
 }
 
 /// Why a study ends without a result; without ids of subjects.
-fn failure(error: &StudyError) -> Failure {
+pub(super) fn failure(error: &StudyError) -> Failure {
     match error {
         StudyError::TooFewMatches { .. } | StudyError::Settings(_) | StudyError::Cohort(_) => {
             Failure::new("study-failed", error.to_string())
@@ -214,7 +214,7 @@ impl Inputs for Uploads {
 }
 
 /// Tells the observer of a job how a step goes on.
-struct Watched<'a>(&'a dyn Observer);
+pub(super) struct Watched<'a>(pub(super) &'a dyn Observer);
 
 impl Watcher for Watched<'_> {
     fn progress(&self, what: &str, done: usize, of: usize) {
@@ -252,7 +252,7 @@ fn parameters_of(definition: &StudyDefinition) -> Result<MatchParameters, StudyE
 }
 
 /// The cohort of a definition: the same as from a table of its subjects whose covariates are in alphabetical order.
-fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError> {
+pub(super) fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError> {
     let names: BTreeSet<&String> = definition.subjects.iter().flat_map(|subject| subject.covariates.keys()).collect();
     // Where no subject has a side, there is no such covariate.
     let has_sides = definition.subjects.iter().any(|subject| subject.side.is_some());
@@ -278,7 +278,7 @@ fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError> {
     Ok(cohort)
 }
 
-fn settings(definition: &StudyDefinition) -> Result<Settings, StudyError> {
+pub(super) fn settings(definition: &StudyDefinition) -> Result<Settings, StudyError> {
     let parameters = parameters_of(definition)?;
     let asked = &definition.questions;
     let made = MadeTemplate::default();
@@ -372,10 +372,26 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
     Ok(())
 }
 
-/// One step: the plan of what is missing, or the result.
-fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Product>, StudyError> {
+/// A study over the files of its material.
+pub(super) struct Opened {
+    pub(super) study: Study,
+    pub(super) folder: Folder,
+    pub(super) decisions: Vec<Decision>,
+}
+
+/// Opens the study of a step. With `new`, the last subject is not one of its own, and does not decide on the side of the
+/// template.
+///
+/// # Errors
+/// [`StudyError`].
+pub(super) fn opened(material: &Arc<StudyMaterial>, new: bool, watcher: &dyn Watcher) -> Result<Opened, StudyError> {
     let definition = &material.definition;
-    let (cohort, settings) = (cohort(definition)?, settings(definition)?);
+    let (cohort, mut settings) = (cohort(definition)?, settings(definition)?);
+    if new {
+        let mut own = cohort.clone();
+        own.subjects.pop();
+        settings.template_side = template_side(&own, &settings)?;
+    }
     let hint = |k: usize| definition.subjects[k].input.name_hint.as_deref();
     let mut hashes: BTreeMap<PathBuf, String> = (0..definition.subjects.len())
         .map(|k| {
@@ -404,8 +420,14 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
         .collect();
     files.insert("decisions.csv".to_owned(), decisions_table(&decisions).into_bytes());
     let folder = Folder::in_memory(files, Box::new(Uploads { hashes, material: Arc::clone(material) }));
+    let study = Study::open(cohort, settings, &[], &folder, watcher)?;
+    Ok(Opened { study, folder, decisions })
+}
+
+/// One step: the plan of what is missing, or the result.
+fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Product>, StudyError> {
     let watcher = Watched(observer);
-    let mut study = Study::open(cohort, settings, &[], &folder, &watcher)?;
+    let Opened { mut study, folder, decisions } = opened(material, false, &watcher)?;
     match study.advance(&folder, &watcher)? {
         Step::Match { purpose, template, tasks, finished } => {
             planned(&study, &folder, purpose, &template, &tasks, finished)

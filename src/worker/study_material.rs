@@ -3,7 +3,8 @@
 
 use super::execution::retrying;
 use super::pool::PoolParts;
-use crate::jobs::study::{StudyInputs, StudyMaterial, blob};
+use super::study_score;
+use crate::jobs::study::{StudyDefinition, StudyInputs, StudyMaterial, blob};
 use crate::jobs::{ArtifactKey, ArtifactStore, ComputeInputs, Job, JobError, Lease, Purpose, StudyBlob, Tenant};
 use futures_util::StreamExt as _;
 use futures_util::TryStreamExt as _;
@@ -38,7 +39,7 @@ impl StudyInputs for Uploads {
     }
 }
 
-/// Reads the inputs of a step.
+/// Reads the inputs of a step, or of the score of a new subject, which is then the last of the study.
 ///
 /// # Errors
 /// Those of the stores.
@@ -49,8 +50,12 @@ pub(super) async fn read_step(parts: &PoolParts, lease: &Lease, job: &Job) -> Re
     let failures = retrying(|| studies.study_failures(id)).await?;
     let found = blobs.iter().find(|found| found.name == blob::DEFINITION).ok_or(JobError::Gone)?;
     let definition = retrying(|| parts.artifacts.get(&found.key)).await?;
-    let definition =
+    let mut definition: StudyDefinition =
         serde_json::from_slice(&definition).map_err(|e| JobError::corrupt("the definition of a study", e))?;
+    if job.is_score() {
+        let asked = study_score::asked(&job.parameters).map_err(|e| JobError::corrupt("what a score asks", e))?;
+        definition = definition.with_scored(&asked, job.target.clone());
+    }
     let of_folder: Vec<StudyBlob> = blobs.into_iter().filter(|found| blob::is_of_folder(&found.name)).collect();
     let artifacts = &parts.artifacts;
     let read = |found: StudyBlob| async move {

@@ -51,6 +51,7 @@ mod store;
 mod store_records;
 mod studies;
 mod study_labels;
+mod study_scores;
 mod study_service;
 mod supply;
 mod tickets;

@@ -193,9 +193,7 @@ async fn every_part_comes_in_every_format_it_has() {
         "sandbox allow-scripts allow-downloads; frame-ancestors 'none'"
     );
     let page = page.text().await.unwrap();
-    assert!(
-        page.contains("RELIABLE") && page.contains("dashed: a new round") && !page.contains("Doe^Jane")
-    );
+    assert!(page.contains("RELIABLE") && page.contains("dashed: a new round") && !page.contains("Doe^Jane"));
 
     // All formats have the numbers of the JSON.
     let columns = service.json(&format!("{job}/correspondences")).await;

@@ -257,6 +257,9 @@ pub fn find(
     Ok(Findings { matched, joint, subjects, members, alignment, mean, model, statistics, consistency, labels })
 }
 
+/// The subjects with their outcomes, the members of the model, and how joint maps were made.
+pub(crate) type Placed = (Vec<SubjectFindings>, Vec<usize>, Option<JointFindings>);
+
 /// The subjects with their outcomes, the members of the model, and joint maps if the study has them: these replace the
 /// maps of `matched`.
 ///
@@ -268,7 +271,7 @@ pub(crate) fn placed(
     folder: &Folder,
     decisions: &[Decision],
     watcher: &dyn Watcher,
-) -> Result<(Vec<SubjectFindings>, Vec<usize>, Option<JointFindings>), StudyError> {
+) -> Result<Placed, StudyError> {
     let observer = &Interruption(watcher);
     let (cohort, n_vertices) = (&study.cohort, matched.making.template.mesh.n_vertices());
     let mut subjects = Vec::new();

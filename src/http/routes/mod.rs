@@ -11,6 +11,7 @@ pub(crate) mod meshes;
 pub(crate) mod methods;
 pub(crate) mod result;
 pub(crate) mod studies;
+pub(crate) mod study_scores;
 pub(crate) mod study_subjects;
 pub(crate) mod surfaces;
 pub(crate) mod system;

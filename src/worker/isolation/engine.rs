@@ -6,7 +6,7 @@ use super::pool::{Children, Upbringing, end, ended};
 use super::process::{Broken, Child, Death};
 use super::protocol::FrameError;
 use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
-use crate::jobs::study::{StudyDefinition, StudyFault};
+use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault};
 use crate::jobs::{
     Allotted, Computation, ComputeError, ComputeInputs, ComputesApart, Demand, Engine, Failure, InputBytes,
     InputRefusal, InputSummary, InputView, JobInput, ParameterFault, PartFormat, PresentError, Purpose, ResultPart,
@@ -182,6 +182,10 @@ impl Engine for IsolatedEngine {
 
     fn check_study(&self, study: &StudyDefinition) -> Result<(), Vec<StudyFault>> {
         self.local.check_study(study)
+    }
+
+    fn check_score(&self, study: &StudyDefinition, asked: &ScoreQuestions) -> Result<(), Vec<StudyFault>> {
+        self.local.check_score(study, asked)
     }
 
     fn check_study_size(&self, study: &StudyDefinition) -> Result<(), InputRefusal> {

@@ -108,7 +108,7 @@ impl Bench {
         let folder = self.out.join(format!("deformed-{}-{}-{}", plant.radius_mm, plant.height_mm, plant.share));
         std::fs::create_dir_all(&folder)?;
         let mut files = self.original(of);
-        for (file, &k) in files.iter_mut().zip(of).filter(|(_, k)| **k % 2 == 0) {
+        for (file, &k) in files.iter_mut().zip(of).filter(|(_, k)| k.is_multiple_of(2)) {
             *file = folder.join(format!("{}.ply", self.ids[k]));
             let moved = self.meshes[k].with_vertices(plant.planted(&self.meshes[k]));
             write_if_new(file, &moved.map_err(io::Error::other)?)?;
@@ -186,7 +186,7 @@ impl Bench {
                 let row = task.target.ok_or("a match without a subject")?;
                 let Record { facts, points } = records.get(&known.keys[row])?.ok_or("a match is missing")?;
                 let mut map: Vec<Point3<f64>> = points.iter().map(|p| Point3::from(p.map(f64::from))).collect();
-                if chosen[row] % 2 == 0 {
+                if chosen[row].is_multiple_of(2) {
                     map = plant.carried(&self.meshes[chosen[row]], &map);
                 }
                 let points = map.iter().map(|p| <[f64; 3]>::from(p.coords).map(|x| x as f32)).collect();

@@ -130,6 +130,6 @@ fn row(plant: &Plant, n: usize, maps: Maps, found: &Findings) -> Result<String, 
         mean(&expected),
         errors.get(errors.len() / 2).copied().unwrap_or(f64::NAN),
         area(&|v| is_in[v] && is_found(v)) / area(&|v| is_in[v]).max(f64::MIN_POSITIVE),
-        if significant > 0.0 { beside / significant } else { 0.0 },
+        if beside > 0.0 { beside / significant } else { 0.0 },
     ))
 }

@@ -1,0 +1,141 @@
+//! The score of a new subject against a study: its match with the template, and its comparison with the model.
+//!
+//! The subject is the last of the study's material and has the role `score`. Nothing of the study is stored again.
+
+use super::study_engine::{Opened, Watched, cohort, demand_of, failure, internal_error, no_match, opened, settings};
+use crate::jobs::engine::{Answer, Product};
+use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};
+use crate::jobs::{
+    ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Failure, InputBytes, InputRefusal, InputSummary,
+    InputView, Purpose, SurfaceSize,
+};
+use homolog_contract::study::StudySize;
+use homolog_primitives::observe::Observer;
+use homolog_run::SurfaceCache;
+use homolog_study::StudyError;
+use homolog_study::folder::record_name;
+use homolog_study::matching::Watcher;
+use homolog_study::plan::{Records as _, Step, Task};
+use homolog_study::record::Record;
+use homolog_study::score::{NewSubject, Within, add, check_group, score};
+use serde::Deserialize as _;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// The part of a job's work that the match is.
+const MATCH_SHARE: f64 = 0.7;
+
+/// The score of a new subject.
+#[derive(Debug)]
+pub(super) struct ScoreStep {
+    size: StudySize,
+    asked: ScoreQuestions,
+}
+
+/// What stored parameters ask about a new subject.
+///
+/// # Errors
+/// What they are not.
+pub(super) fn asked(parameters: &Value) -> serde_json::Result<ScoreQuestions> {
+    ScoreQuestions::deserialize(&parameters["score"])
+}
+
+impl ScoreStep {
+    /// The computation of stored parameters.
+    ///
+    /// # Errors
+    /// `invalid-parameters`.
+    pub(super) fn restored(parameters: &Value) -> Result<Self, Failure> {
+        let size = StudySize::deserialize(&parameters["size"]);
+        let read = size.and_then(|size| Ok(ScoreStep { size, asked: asked(parameters)? }));
+        read.map_err(|error| {
+            let detail = format!("this version does not take the stored parameters: {error}");
+            Failure::new("invalid-parameters", detail)
+        })
+    }
+}
+
+/// The group of a score.
+fn within(asked: &ScoreQuestions) -> Option<Within> {
+    asked.group.clone().map(|(covariate, level)| Within { covariate, level })
+}
+
+/// Checks what is asked, but not the file.
+///
+/// # Errors
+/// Every fault that can be seen before the match.
+pub(super) fn check(definition: &StudyDefinition, asked: &ScoreQuestions) -> Result<(), Vec<StudyFault>> {
+    let fault = |pointer: &str, error: &dyn std::fmt::Display| {
+        let code = "out_of_range".to_owned();
+        vec![StudyFault { pointer: pointer.to_owned(), code, detail: error.to_string() }]
+    };
+    let mut cohort = cohort(definition).map_err(|error| fault("", &error))?;
+    let mut settings = settings(definition).map_err(|error| fault("", &error))?;
+    check_group(&cohort, within(asked).as_ref()).map_err(|error| fault("/group", &error))?;
+    let new = NewSubject { file: PathBuf::new(), side: asked.side, labels: None };
+    add(&mut cohort, &mut settings, new).map_err(|error| fault("/side", &error))?;
+    Ok(())
+}
+
+impl Computation for ScoreStep {
+    fn check_input(&self, _: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
+        Err(no_match())
+    }
+
+    fn show_input(&self, _: &InputBytes<'_>, _: InputView) -> Result<Vec<u8>, InputRefusal> {
+        Err(no_match())
+    }
+
+    /// That of a step of the study without its statistics.
+    fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {
+        demand_of(&StudySize { contrasts: 0, permutations: Some(0), ..self.size })
+    }
+
+    fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
+        let Purpose::Step(material) = &inputs.purpose else {
+            return Err(ComputeError::Failed(internal_error()));
+        };
+        let product = scored(material, &self.asked, observer).map_err(|error| match error {
+            StudyError::Interrupted => ComputeError::Cancelled,
+            error => ComputeError::Failed(failure(&error)),
+        })?;
+        Ok(Answer { products: vec![product], verdict: None })
+    }
+}
+
+fn scored(
+    material: &Arc<StudyMaterial>,
+    asked: &ScoreQuestions,
+    observer: &dyn Observer,
+) -> Result<Product, StudyError> {
+    let watcher = Watched(observer);
+    let Opened { mut study, folder, decisions } = opened(material, true, &watcher)?;
+    let k = study.cohort.subjects.len() - 1;
+    let surfaces = SurfaceCache::new(0);
+    let mut step = study.advance(&folder, &watcher)?;
+    if let Step::Match { template, tasks, .. } = &step {
+        // Whatever else is missing was removed since: its subject has no match, as in a study without it.
+        let is_own = |task: &Task| task.target == Some(k) && task.source.is_none();
+        for task in tasks {
+            let record = match is_own(task) {
+                true => study.compute(task, template, &surfaces, &folder, &watcher)?,
+                false => Record::failed("the match was removed".to_owned()),
+            };
+            folder.keep(&task.key, &record)?;
+        }
+        observer.progress(MATCH_SHARE);
+        step = study.advance(&folder, &watcher)?;
+    }
+    let Step::Matched(matched) = step else {
+        return Err(StudyError::Settings("the template of the study is not there any more".to_owned()));
+    };
+    debug_assert!(folder.has(&matched.keys[k]), "{}", record_name(&matched.keys[k]));
+    if watcher.is_interrupted() {
+        return Err(StudyError::Interrupted);
+    }
+    let found = score(&study, &matched, &folder, &decisions, (k, within(asked).as_ref()), &watcher)?;
+    let bytes = serde_json::to_vec(&found.document(env!("HOMOLOG_COMMIT")))
+        .map_err(|error| StudyError::Settings(format!("a score cannot be written: {error}")))?;
+    Ok(Product { kind: ArtifactKind::StudyScore, bytes })
+}

@@ -52,7 +52,7 @@ fn the_service_scores_as_the_command() {
     let subjects: Vec<Value> = (0..6)
         .map(|k| {
             let mesh = service.upload(&place.path().join(format!("p{k}/source.ply")));
-            json!({"id": format!("s{k}"), "input": {"mesh_id": mesh}, "covariates": {"group": ["a", "b"][k % 2]}})
+            json!({"id": format!("s{k}"), "input": {"mesh_id": mesh}, "covariates": {"group": (["a", "b"][k % 2])}})
         })
         .collect();
     assert!(OPTIONS.contains(&"--template-subjects"));

@@ -29,6 +29,7 @@ mod head;
 mod hosts;
 mod input_wire;
 mod json_fault;
+mod links;
 mod long_poll;
 mod openapi;
 mod operations;

@@ -482,31 +482,7 @@ pub(crate) struct ChangeDocument {
 
 impl From<&Job> for JobDocument {
     fn from(job: &Job) -> Self {
-        let path = format!("/v1/jobs/{}", job.id);
         let succeeded = job.state == JobState::Succeeded && job.purged_at.is_none();
-        let part = |name: &str| (succeeded && !job.is_score()).then(|| format!("{path}/{name}"));
-        let links = JobLinks {
-            trace: format!("{path}/trace"),
-            events: format!("{path}/events"),
-            result: part("result"),
-            correspondences: part("correspondences"),
-            transform: part("transform"),
-            source_surface: part("surfaces/source"),
-            target_surface: part("surfaces/target"),
-            aligned: part("aligned"),
-            warped: part("warped"),
-            report: part("report"),
-            batch: job.batch_id.map(|id| format!("/v1/batches/{id}")),
-            study: job.study_id.map(|id| format!("/v1/studies/{id}")),
-            score: job
-                .study_id
-                .filter(|_| succeeded && job.is_score())
-                .map(|id| format!("/v1/studies/{id}/scores/{}", job.id)),
-            retry_of: job.retry_of.map(|id| format!("/v1/jobs/{id}")),
-            cancel: (!job.state.is_final()).then(|| format!("{path}/cancel")),
-            retry: (job.state.is_final() && job.purged_at.is_none()).then(|| format!("{path}/retry")),
-            job: path,
-        };
         let mut progress = job.progress.clone();
         if let Some(progress) = progress.as_mut().filter(|_| succeeded) {
             progress.fraction = 1.0;
@@ -548,7 +524,7 @@ impl From<&Job> for JobDocument {
             warnings: job.verdict.as_ref().map(|verdict| verdict.warnings.clone()).unwrap_or_default(),
             surface_distance: job.verdict.as_ref().map(|verdict| verdict.surface_distance.clone()),
             error: job.error.as_ref().map(failure_document),
-            links,
+            links: JobLinks::of(job),
         }
     }
 }
@@ -684,23 +660,5 @@ impl JobListDocument {
 impl From<TracePage> for TraceDocument {
     fn from(page: TracePage) -> Self {
         TraceDocument { points: page.points, next_after_seq: page.next_after_seq, complete: page.complete }
-    }
-}
-
-impl ResultLinks {
-    /// The links of a job's result.
-    pub(crate) fn of(id: crate::jobs::JobId) -> Self {
-        let path = format!("/v1/jobs/{id}");
-        ResultLinks {
-            transform: format!("{path}/transform"),
-            source_surface: format!("{path}/surfaces/source"),
-            target_surface: format!("{path}/surfaces/target"),
-            correspondences: format!("{path}/correspondences"),
-            trace: format!("{path}/trace"),
-            aligned: format!("{path}/aligned"),
-            warped: format!("{path}/warped"),
-            report: format!("{path}/report"),
-            job: path,
-        }
     }
 }

@@ -74,7 +74,9 @@ impl JobService {
             tenant,
             method: SCORE_METHOD.to_owned(),
             method_version: study.method_version,
-            parameters: json!({"method": SCORE_METHOD, "size": definition.size(), "score": asked}),
+            parameters: json!({
+                "method": SCORE_METHOD, "size": definition.size(), "score": asked, "match": definition.parameters
+            }),
             // The template is in the files of the study.
             source: record.clone(),
             target: record,

@@ -2,6 +2,7 @@
 //!
 //! The subject is the last of the study's material and has the role `score`. Nothing of the study is stored again.
 
+use super::prediction::predict;
 use super::study_engine::{Opened, Watched, cohort, demand_of, failure, internal_error, no_match, opened, settings};
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};
@@ -9,6 +10,7 @@ use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Failure, InputBytes, InputRefusal, InputSummary,
     InputView, Purpose, SurfaceSize,
 };
+use homolog_contract::parameters::{MatchParameters, resolve};
 use homolog_contract::study::StudySize;
 use homolog_primitives::observe::Observer;
 use homolog_run::SurfaceCache;
@@ -31,6 +33,8 @@ const MATCH_SHARE: f64 = 0.7;
 pub(super) struct ScoreStep {
     size: StudySize,
     asked: ScoreQuestions,
+    /// Those of the match with the template.
+    parameters: MatchParameters,
 }
 
 /// What stored parameters ask about a new subject.
@@ -47,12 +51,14 @@ impl ScoreStep {
     /// # Errors
     /// `invalid-parameters`.
     pub(super) fn restored(parameters: &Value) -> Result<Self, Failure> {
-        let size = StudySize::deserialize(&parameters["size"]);
-        let read = size.and_then(|size| Ok(ScoreStep { size, asked: asked(parameters)? }));
-        read.map_err(|error| {
-            let detail = format!("this version does not take the stored parameters: {error}");
-            Failure::new("invalid-parameters", detail)
-        })
+        let unknown = |error: &dyn std::fmt::Display| {
+            Failure::new("invalid-parameters", format!("this version does not take the stored parameters: {error}"))
+        };
+        let size = StudySize::deserialize(&parameters["size"]).map_err(|error| unknown(&error))?;
+        let asked = asked(parameters).map_err(|error| unknown(&error))?;
+        let parameters = resolve(&parameters["match"])
+            .map_err(|faults| unknown(&faults.first().map_or("match", |fault| fault.detail.as_str())))?;
+        Ok(ScoreStep { size, asked, parameters })
     }
 }
 
@@ -87,9 +93,17 @@ impl Computation for ScoreStep {
         Err(no_match())
     }
 
-    /// That of a step of the study without its statistics.
-    fn demand(&self, _: SurfaceSize, _: SurfaceSize) -> Demand {
-        demand_of(&StudySize { contrasts: 0, permutations: Some(0), ..self.size })
+    /// That of the match with the template, and that of a step of the study without its statistics.
+    fn demand(&self, subject: SurfaceSize, _: SurfaceSize) -> Demand {
+        let number = |n: u64| u32::try_from(n).unwrap_or(u32::MAX);
+        let template = SurfaceSize { n_vertices: number(self.size.vertices), n_faces: number(self.size.faces) };
+        let of_match = predict(&self.parameters, template, subject);
+        let of_step = demand_of(&StudySize { contrasts: 0, permutations: Some(0), ..self.size });
+        Demand {
+            cores: of_match.cores.max(of_step.cores),
+            memory_bytes: of_match.memory_bytes.saturating_add(of_step.memory_bytes),
+            processor_time: of_match.processor_time + of_step.processor_time,
+        }
     }
 
     fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {

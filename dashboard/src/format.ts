@@ -98,6 +98,15 @@ function isMirrored(job: Job): boolean {
 /** The verdict on a job, for whoever has to keep or drop the match. */
 export function verdict(job: Job): VerdictText {
   if (job.state === "succeeded") {
+    if (job.method === "study_score") {
+      return {
+        tone: "neutral",
+        mark: "=",
+        title: "Scored against its study",
+        lines: ["The subject was matched to the template of the study and compared with its group; both inputs below are the subject."],
+        next: "Look first whether its match is reliable, then at the p of its shape and at the regions beyond the bound.",
+      };
+    }
     if (job.reliable === true) {
       const distance = job.surface_distance ? `The registered surfaces are ${mm(job.surface_distance.mean_mm)} apart on average.` : "";
       return {

@@ -8,6 +8,7 @@ import { answered, follow, newest } from "./live";
 import { loadPair, type Pair } from "./pair";
 import { Badge, Bar, Facts, Failure, State, useNow, useWork } from "./parts";
 import { go } from "./router";
+import { ScoreView, isScore } from "./score";
 import { Slices } from "./slices";
 import { Trace } from "./trace";
 import { Saves, Viewer } from "./viewer";
@@ -62,7 +63,7 @@ export function JobView({ id }: { id: string }) {
     },
     [id],
   );
-  const hasResult = job?.state === "succeeded";
+  const hasResult = job?.state === "succeeded" && !isScore(job);
   useWork(
     (signal) => {
       if (!hasResult || job === null) return;
@@ -134,6 +135,7 @@ export function JobView({ id }: { id: string }) {
       )}
       {hasResult && pair === null && failure === null && <p class="loading big">Loading the surfaces …</p>}
       <div class="columns">
+        {job.state === "succeeded" && isScore(job) && <ScoreView job={job} />}
         {result !== null && <Measures result={result} />}
         {traced}
         <section class="card">

@@ -25,7 +25,7 @@ export const rowOf = (job: Job): Row => {
   const { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, tags } = job;
   // The template of a study is the source of its matches.
   const side = study_id ? "target" : "source";
-  const pictured = (job[side]?.n_faces ?? Infinity) <= MOST_FACES ? side : null;
+  const pictured = job.method !== "study_score" && (job[side]?.n_faces ?? Infinity) <= MOST_FACES ? side : null;
   return { id, state, method, priority, progress, created_at, started_at, finished_at, reliable, unreliable_reasons, surface_distance, batch_id, study_id, external_ref, cancel_requested, tags, pictured };
 };
 

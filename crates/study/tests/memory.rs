@@ -8,14 +8,14 @@ mod making;
 
 use counting::{HELD, MOST};
 use homolog_study::memory::step_bytes;
-use making::made;
+use homolog_study::settings::Correspondence;
+use making::{Made, made, made_with};
 use std::sync::atomic::Ordering;
 
 const THREADS: usize = 2;
 
 /// What the step of a study takes at most, by the estimate and by the allocator, bytes.
-fn step(subjects: usize, levels: u32, contrasts: usize, covariates: usize, permutations: usize) -> (u64, u64) {
-    let study = made(subjects, levels, contrasts, covariates, permutations);
+fn step(study: &Made) -> (u64, u64) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().unwrap();
     let records: usize = study.files.values().map(Vec::len).sum();
     let before = HELD.load(Ordering::Relaxed) - records;
@@ -42,7 +42,7 @@ fn no_step_of_a_study_takes_more_than_it_is_predicted_to() {
         (1_000, 1, 1, 0, 2),
         (60, 3, 8, 10, 64),
     ] {
-        let (predicted, counted) = step(subjects, levels, contrasts, covariates, permutations);
+        let (predicted, counted) = step(&made(subjects, levels, contrasts, covariates, permutations));
         let share = predicted as f64 / counted as f64;
         is_fine &= share >= 1.0;
         // Where arrays decide, and not what is said of each subject, the estimate is not far too high either.
@@ -50,6 +50,14 @@ fn no_step_of_a_study_takes_more_than_it_is_predicted_to() {
         lines.push(format!(
             "{subjects} subjects, level {levels}, {contrasts} contrasts, {covariates} covariates: predicted {predicted}, \
              counted {counted}, {share:.2}"
+        ));
+    }
+    for (subjects, levels) in [(12, 4), (60, 3)] {
+        let (predicted, counted) = step(&made_with(Correspondence::Joint, subjects, levels, 1, 0, 2));
+        let share = predicted as f64 / counted as f64;
+        is_fine &= share >= 1.0 && (share <= 2.0 || predicted < 32 << 20);
+        lines.push(format!(
+            "{subjects} subjects, level {levels}, joint: predicted {predicted}, counted {counted}, {share:.2}"
         ));
     }
     println!("{}", lines.join("\n"));

@@ -78,19 +78,19 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
              Wald tests, and the false discovery rate was controlled over vertices (Benjamini, Hochberg)."
                 .to_owned()
         } else {
-            let (pairs, exchanges) = match &statistics.pairs {
-                None => (String::new(), "permutations (Freedman, Lane"),
+            let (pairs, exchanges, null) = match &statistics.pairs {
+                None => (String::new(), "permutations (Freedman, Lane", "residuals are exchangeable"),
                 Some(of) => {
                     let n = of.pairs.len();
                     let text = format!("Differences within {n} subjects were tested against zero ({} without a pair). ", of.single);
-                    (text, "sign flips of these differences (Winkler et al. 2014")
+                    (text, "sign flips of these differences (Winkler et al. 2014", "differences are symmetric about zero")
                 }
             };
             format!(
                 "{pairs}Standard errors, their p and the false discovery rate are robust to unequal variances (HC3). The error over \
                  the whole surface is controlled by {} {exchanges}; seed {}) of the largest threshold-free cluster \
                  enhancement of |t| (H = 2, E = 1, area of the mean), where t is the ordinary one with pooled variance: under the \
-                 null hypothesis residuals are exchangeable; the false discovery rate by Benjamini and Hochberg from the robust p. Intervals of g \
+                 null hypothesis {null}; the false discovery rate by Benjamini and Hochberg from the robust p. Intervals of g \
                  are exact under normal residuals of equal variance. {} measures were tested; p-values are not corrected for that.",
                 settings.analysis.permutations,
                 settings.analysis.seed,

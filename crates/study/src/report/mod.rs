@@ -170,14 +170,14 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
     };
     format!(
         "<h2>Quality control</h2>\n<p class=\"hint\">The most urgent first. Residual: mean distance from the subject's surface to the \
-         template bent onto it. Turned: triangles of the template that the map turns over. Unusual: share of subjects \
+         template bent onto it. Flipped: share of triangles that the map turns over. Unusual: share of subjects \
          whose shape is at least as unusual to a model of the others. Pictures: displacement from the mean along its normal, red \
          outwards, each in a scale of its own.</p>\n\
          <p class=\"hint screen\">To leave a subject out, or to keep one whose match is not reliable, write its id, dropped or kept, and \
          why into decisions.csv, and run the study again.</p>\n\
          <div class=\"scroll\"><table><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">shape</th>\
-         <th scope=\"col\">place</th><th scope=\"col\">look at</th><th scope=\"col\">residual, mm</th>\
-         <th scope=\"col\">turned, %</th><th scope=\"col\">unusual, p</th></tr></thead><tbody>{rows}</tbody></table></div>\n{more}"
+         <th scope=\"col\">role</th><th scope=\"col\">flags</th><th scope=\"col\">residual, mm</th>\
+         <th scope=\"col\">flipped triangles, %</th><th scope=\"col\">unusual, p</th></tr></thead><tbody>{rows}</tbody></table></div>\n{more}"
     )
 }
 
@@ -471,7 +471,7 @@ fn template(found: &Findings) -> String {
             "surface moved, mm",
             "in mean edges",
             "vertices slid, mm",
-            "taken back",
+            "drift reverted",
             "triangle quality",
             "5th percentile",
             "volume, mm³",
@@ -479,7 +479,7 @@ fn template(found: &Findings) -> String {
         html.push_str(&table(&header, &rows, "free"));
         html.push_str(
             "<p class=\"hint\">Moved: distance of the mean from the template before, as surfaces, root mean square over both. Vertices \
-             slide along the surface besides, which is taken back as far as no shape is lost. Triangle quality: 1 for equilateral \
+             also drift along the surface; this drift is reverted where that does not change the shape. Triangle quality: 1 for equilateral \
              triangles.</p>\n",
         );
     }

@@ -5,6 +5,7 @@ use homolog_contract::parameters::{Method, preset};
 use homolog_contract::study::StudySize;
 use homolog_formats::ply::write_ply;
 use homolog_formats::write_zip;
+use homolog_mesh::SurfaceMesh;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::find;
@@ -23,13 +24,23 @@ use std::path::Path;
 struct Quiet;
 impl Watcher for Quiet {}
 
-/// Files of subjects, which statistics do not read; the template is one.
-#[derive(Debug)]
-struct Files(Vec<u8>);
+/// Files of the template and of the subjects. Only joint maps read those of subjects: surfaces with the faces of the template.
+#[derive(Debug, Clone)]
+struct Files {
+    template: SurfaceMesh,
+    has_surfaces: bool,
+}
 
 impl Inputs for Files {
     fn read(&self, file: &Path) -> io::Result<Vec<u8>> {
-        Ok(if file.ends_with("template.ply") { self.0.clone() } else { b"no volume".to_vec() })
+        if file.ends_with("template.ply") {
+            return Ok(write_ply(&self.template));
+        }
+        let subject = file.file_stem().and_then(|name| name.to_str()?.strip_prefix('s')?.parse().ok());
+        Ok(match subject {
+            Some(k) if self.has_surfaces => write_ply(&surface(&self.template, k)),
+            _ => b"no volume".to_vec(),
+        })
     }
     fn hash(&self, file: &Path) -> io::Result<String> {
         Ok(blake3::hash(file.to_string_lossy().as_bytes()).to_hex().to_string())
@@ -44,11 +55,30 @@ pub(crate) struct Made {
     pub files: BTreeMap<String, Vec<u8>>,
     table: String,
     settings: Settings,
-    template: Vec<u8>,
+    inputs: Files,
+}
+
+/// The surface of subject `k`.
+fn surface(template: &SurfaceMesh, k: f64) -> SurfaceMesh {
+    let ripple = |p: &Point3<f64>| Point3::new(p.x * (1.0 + 0.01 * (k * 0.7).sin()), p.y, p.z + 0.1 * (p.x + k).sin());
+    template.with_vertices(template.vertices().iter().map(ripple).collect()).unwrap()
 }
 
 /// A study of this many subjects with a template of `10 · 4^levels + 2` vertices.
 pub(crate) fn made(subjects: usize, levels: u32, contrasts: usize, covariates: usize, permutations: usize) -> Made {
+    made_with(Correspondence::Pairs, subjects, levels, contrasts, covariates, permutations)
+}
+
+/// The same, with these maps.
+pub(crate) fn made_with(
+    correspondence: Correspondence,
+    subjects: usize,
+    levels: u32,
+    contrasts: usize,
+    covariates: usize,
+    permutations: usize,
+) -> Made {
+    let joint = correspondence == Correspondence::Joint;
     let template = ellipsoid(Vector3::new(12.0, 6.0, 4.0), levels);
     let names: Vec<String> = (0..covariates).map(|k| format!("x{k}")).collect();
     let mut text = format!("id,file,group{}\n", names.iter().map(|name| format!(",{name}")).collect::<String>());
@@ -67,9 +97,9 @@ pub(crate) fn made(subjects: usize, levels: u32, contrasts: usize, covariates: u
         measures: Some(measures.len() as u64),
         permutations: Some(permutations as u64),
         ring: 0,
-        file_bytes: 64,
+        file_bytes: if joint { write_ply(&template).len() as u64 } else { 64 },
         has_volumes: false,
-        joint: false,
+        joint,
     };
     let analysis = Analysis {
         effect: Some("group".to_owned()),
@@ -82,38 +112,34 @@ pub(crate) fn made(subjects: usize, levels: u32, contrasts: usize, covariates: u
         template: TemplateChoice::Given { file: "template.ply".into() },
         template_side: None,
         size: Size::Kept,
-        correspondence: Correspondence::Pairs,
+        correspondence,
         analysis,
         cycle_subjects: 0,
         cycle_ring: Vec::new(),
         parameters: preset(Method::Rigid),
     };
-    let template = write_ply(&template);
-    let inputs = || Box::new(Files(template.clone()));
+    let inputs = Files { template, has_surfaces: joint };
     let cohort = || Cohort::from_csv(text.as_bytes(), Path::new("")).unwrap();
     let mut files: BTreeMap<String, Vec<u8>> = BTreeMap::new();
-    let folder = Folder::in_memory(files.clone(), inputs());
+    let folder = Folder::in_memory(files.clone(), Box::new(inputs.clone()));
     let mut study = Study::open(cohort(), settings.clone(), &[], &folder, &Quiet).unwrap();
     let Step::Match { tasks, template: found, .. } = study.advance(&folder, &Quiet).unwrap() else {
         panic!("no matches")
     };
     for task in tasks {
-        let k = task.target.unwrap() as f64;
-        let ripple = |p: &Point3<f64>| {
-            [p.x * (1.0 + 0.01 * (k * 0.7).sin()), p.y, p.z + 0.1 * (p.x + k).sin()].map(|x| x as f32)
-        };
-        let points = found.mesh.vertices().iter().map(ripple).collect();
+        let moved = surface(&found.mesh, task.target.unwrap() as f64);
+        let points = moved.vertices().iter().map(|p| [p.x, p.y, p.z].map(|x| x as f32)).collect();
         files.insert(record_name(&task.key), Record { facts: Facts::default(), points }.to_bytes());
     }
     drop((study, folder, found));
-    Made { size, files, table: text, settings, template }
+    Made { size, files, table: text, settings, inputs }
 }
 
 impl Made {
     /// Computes the last step, as the service does: from a folder with copies of the records that were read. Returns the archive.
     pub(crate) fn step(&self) -> Vec<u8> {
-        let Made { files, table, settings, template, .. } = self;
-        let folder = Folder::in_memory(files.clone(), Box::new(Files(template.clone())));
+        let Made { files, table, settings, inputs, .. } = self;
+        let folder = Folder::in_memory(files.clone(), Box::new(inputs.clone()));
         let cohort = Cohort::from_csv(table.as_bytes(), Path::new("")).unwrap();
         let mut study = Study::open(cohort, settings.clone(), &[], &folder, &Quiet).unwrap();
         let Step::Matched(matched) = study.advance(&folder, &Quiet).unwrap() else { panic!("matches are missing") };

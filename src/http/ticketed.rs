@@ -78,7 +78,7 @@ mod tests {
     fn tickets_are_for_events_and_downloads_only() {
         let (job, mesh) =
             ("/v1/jobs/019d8a1b-2c3d-7e4f-8a5b-000000000001", format!("/v1/meshes/blake3:{}", "0a".repeat(32)));
-        assert_eq!(routes().count(), 16);
+        assert_eq!(routes().count(), 17);
         for below in
             ["", "/events", "/result", "/correspondences", "/report", "/surfaces/source", "/files/warped-inverse.ply"]
         {

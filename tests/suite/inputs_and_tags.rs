@@ -235,7 +235,7 @@ async fn jobs_have_parameters_only_if_these_are_asked_for() {
 }
 
 /// Parts of the contract in which a label is an anatomical structure of a volume, or the former name of a tag.
-const OF_LABELS: [&str; 22] = [
+const OF_LABELS: [&str; 23] = [
     "BatchDocument",
     "BatchSubmissionDocument",
     "InputParameters",
@@ -245,6 +245,7 @@ const OF_LABELS: [&str; 22] = [
     "PairDocument",
     "PartialInputParameters",
     "PartialSideParameters",
+    "ScoreSubmissionDocument",
     "SideParameters",
     "StudyDocument",
     "StudyResultDocument",

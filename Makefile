@@ -39,6 +39,7 @@
 # Measurements of studies and of speed
 #   study          studies of real hippocampi: models, effects, time, memory; PARTS=joint,null; SPLITS=200
 #   study-others   the same with correspondences by other methods; PARTS=model,cycles,atrophy
+#   study-taxa     genera and families of molars by their nearest neighbors, by maps and by landmarks
 #   validate-study known deformations in real groups, against an oracle, and splits without an effect: target/validate-study/report.md;
 #                  SHORT=1: 20 subjects, minutes
 #   bench          a match
@@ -50,7 +51,7 @@ SHELL := /usr/bin/env bash
 .PHONY: help build demo test check api client dashboard
 .PHONY: faults contract readers answers peers-read fuzz soak memory
 .PHONY: msrv public-api advisories sbom screenshots pictures
-.PHONY: accuracy experiment methods energies thresholds study study-others validate-study study-env bench bench-service
+.PHONY: accuracy experiment methods energies thresholds study study-others study-taxa validate-study study-env bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -198,6 +199,9 @@ study-others: build study-env
 	$(CARGO) build --release --locked -p homolog -p homolog-study --example other_matches --bins
 	target/study-env/bin/python benches/study/others.py --binary target/release/homolog --examples target/release/examples \
 	  --data "$(DATA)" --out target/study $(if $(PARTS),--parts "$(PARTS)")
+
+study-taxa: build study-env
+	target/study-env/bin/python benches/study/taxa.py --binary target/release/homolog --data "$(DATA)" --out target/taxa
 
 validate-study:
 	$(CARGO) build --release --locked -p homolog-study --example validate_study

@@ -8,7 +8,7 @@ use crate::joint::{JointSettings, SURFACES_BYTES};
 use crate::settings::{Analysis, Measure};
 use homolog_contract::study::StudySize;
 
-/// Vertices per block of [`crate::model::gram`].
+/// Vertices per block of `model::gram`.
 const BLOCK: u64 = 512;
 /// Largest number of kept modes.
 const MODES: u64 = 60;

@@ -176,7 +176,7 @@ pub fn test(
     test_by(Exchange::Permutations, model, values, contrast, enhancer, (permutations, seed), observer)
 }
 
-/// As [`test`], by permutations or sign flips; `how_many`: their number and seed.
+/// As [`test()`], by permutations or sign flips; `how_many`: their number and seed.
 ///
 /// # Errors
 /// [`Cancelled`].

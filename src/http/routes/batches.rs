@@ -1,7 +1,7 @@
 //! `/v1/batches`: many jobs submitted in one request.
 
 use super::jobs::{cancel_all, job_list};
-use super::{NAMED_FAULTS, accepted};
+use super::{NAMED_FAULTS, accepted, taken};
 use crate::http::call::{Call, PageOf};
 use crate::http::fields::Fields;
 use crate::http::input_wire::{SubmittedInputDocument, input, maybe_input};
@@ -135,13 +135,8 @@ pub(crate) struct BatchForm {
     request_body(content((BatchForm = "multipart/form-data"), (BatchSubmissionDocument = "application/json"))),
     responses((status = 202, description = "Accepted", body = BatchDocument))
 )]
-pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response, Problem> {
-    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
-    let taken = async {
-        call.query.finish()?;
-        take(&call, request, &tap).await
-    };
-    let Accepted { made, replayed } = tap.settle(taken).await?;
+pub(crate) async fn submit(call: Call, request: Request) -> Result<Response, Problem> {
+    let Accepted { made, replayed } = taken(call, request, take).await?;
     let document = BatchDocument::from(&made);
     Ok(marked(accepted(&document.links.batch.clone(), document), replayed))
 }

@@ -20,16 +20,34 @@ pub(crate) mod tickets;
 pub(crate) mod trace;
 pub(crate) mod webhooks;
 
+use super::call::Call;
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
 use super::submission::{ALLOWED_PRIORITIES, PRIORITIES};
+use super::upload::Tap;
 use axum::Json;
+use axum::extract::Request;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 
 /// Most faults listed in an answer.
 const NAMED_FAULTS: usize = 16;
+
+/// What `take` makes of a request with a body and without a query. After a refusal the rest of the body is read, as far as it
+/// is allowed.
+async fn taken<T>(
+    mut call: Call,
+    request: Request,
+    take: impl AsyncFnOnce(&Call, Request, &Tap) -> Result<T, Problem>,
+) -> Result<T, Problem> {
+    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
+    let read = async {
+        call.query.finish()?;
+        take(&call, request, &tap).await
+    };
+    tap.settle(read).await
+}
 
 /// 202 with what was accepted, and its place.
 fn accepted(place: &str, document: impl Serialize) -> Response {

@@ -1,6 +1,6 @@
 //! `/v1/studies`: studies of groups of subjects.
 
-use super::{NAMED_FAULTS, accepted, check_priority};
+use super::{NAMED_FAULTS, accepted, check_priority, taken};
 use crate::http::call::{Call, PageOf};
 use crate::http::content::{Counted, Stored};
 use crate::http::fields::Fields;
@@ -44,13 +44,8 @@ const SHOWN_SUBJECTS: usize = 500;
     request_body(content((StudyForm = "multipart/form-data"), (StudySubmissionDocument = "application/json"))),
     responses((status = 202, description = "Accepted", body = StudyDocument))
 )]
-pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response, Problem> {
-    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
-    let taken = async {
-        call.query.finish()?;
-        take(&call, request, &tap).await
-    };
-    let Accepted { made, replayed } = tap.settle(taken).await?;
+pub(crate) async fn submit(call: Call, request: Request) -> Result<Response, Problem> {
+    let Accepted { made, replayed } = taken(call, request, take).await?;
     Ok(marked(accepted_study(&made), replayed))
 }
 

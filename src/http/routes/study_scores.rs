@@ -1,7 +1,7 @@
 //! `/v1/studies/{id}/score` and `/v1/studies/{id}/scores`: new subjects against the group of a study.
 
-use super::accepted;
 use super::studies::{CHANGE_MEMORY, definition_memory};
+use super::{accepted, taken};
 use crate::http::call::{Call, ResourceId};
 use crate::http::content::Stored;
 use crate::http::options::SentOptions;
@@ -31,13 +31,8 @@ const MAX_NAME: usize = 200;
     request_body(content((ScoreForm = "multipart/form-data"), (ScoreSubmissionDocument = "application/json"))),
     responses((status = 202, description = "Accepted", body = JobDocument))
 )]
-pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response, Problem> {
-    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
-    let taken = async {
-        call.query.finish()?;
-        take(&call, request, &tap).await
-    };
-    let Accepted { made, replayed } = tap.settle(taken).await?;
+pub(crate) async fn submit(call: Call, request: Request) -> Result<Response, Problem> {
+    let Accepted { made, replayed } = taken(call, request, take).await?;
     let document = JobDocument::from(&made);
     Ok(marked(accepted(&document.links.job.clone(), document), replayed))
 }

@@ -98,12 +98,7 @@ fn verdict(result: &ResultDocument) -> String {
 
 /// Medians of confidence and spread over the source vertices.
 fn precision(columns: &Correspondences) -> Option<String> {
-    let median = |values: &[f64]| {
-        let mut values = values.to_vec();
-        values.sort_unstable_by(f64::total_cmp);
-        values.get(values.len() / 2).copied()
-    };
-    let (confidence, spread) = (median(&columns.confidence)?, median(&columns.spread_mm)?);
+    let (confidence, spread) = (columns.median_confidence()?, columns.median_spread_mm()?);
     Some(format!(
         "median {confidence:.2} that a point is within an edge of the truth; median expected error {spread:.2} mm"
     ))
@@ -112,8 +107,7 @@ fn precision(columns: &Correspondences) -> Option<String> {
 /// The energy before and after its minimization, and the energy of the answer where a displacement field changed the
 /// assignment.
 fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
-    let minimized = result.rounds.iter().map(|round| round.energy).fold(f64::INFINITY, f64::min);
-    let minimized = if minimized.is_finite() { minimized } else { e.r#final };
+    let minimized = result.minimized_energy().unwrap_or(e.r#final);
     let iterations: u32 = result.rounds.iter().map(|round| round.iterations).sum();
     let mut text = format!("{:.2} at the start, {minimized:.2} after minimization", e.initial);
     let _ = match result.rounds.len() {

@@ -489,7 +489,31 @@ impl OutlierReason {
     }
 }
 
+fn upper_median(values: &[f64]) -> Option<f64> {
+    let mut values = values.to_vec();
+    values.sort_unstable_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
+
+impl ResultDocument {
+    /// The lowest energy of a round, or that of the answer if there was none; `None` if no energy was minimized.
+    pub fn minimized_energy(&self) -> Option<f64> {
+        let lowest = self.rounds.iter().map(|round| round.energy).min_by(f64::total_cmp);
+        self.energy.as_ref().map(|energy| lowest.unwrap_or(energy.r#final))
+    }
+}
+
 impl Correspondences {
+    /// The median confidence, the upper one of two; `None` without pairs.
+    pub fn median_confidence(&self) -> Option<f64> {
+        upper_median(&self.confidence)
+    }
+
+    /// The median expected error, mm; as for the confidence.
+    pub fn median_spread_mm(&self) -> Option<f64> {
+        upper_median(&self.spread_mm)
+    }
+
     /// The columns as CSV (RFC 4180): a header, then one line for each correspondence.
     pub fn to_csv(&self) -> String {
         let mut text = String::with_capacity(120 * self.source.len() + 150);

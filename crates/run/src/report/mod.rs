@@ -186,9 +186,7 @@ fn numbers(inputs: &ReportInputs<'_>) -> String {
     let document = inputs.document;
     let (t, s, d) = (&document.transform, &document.support, &document.surface_distance);
     let [x, y, z] = t.translation_mm;
-    let mut confidence = inputs.correspondences.confidence.clone();
-    confidence.sort_by(f64::total_cmp);
-    let median = confidence.get(confidence.len() / 2).copied().unwrap_or(0.0);
+    let median = inputs.correspondences.median_confidence().unwrap_or(0.0);
     let mut rows = vec![
         ("rotation", format!("{:.2}°", t.rotation_angle_deg)),
         ("translation", format!("{x:.2}, {y:.2}, {z:.2} mm")),
@@ -269,8 +267,7 @@ fn energy(inputs: &ReportInputs<'_>) -> String {
             ),
         };
     };
-    let lowest = inputs.document.rounds.iter().map(|round| round.energy).fold(f64::INFINITY, f64::min);
-    let minimized = if lowest.is_finite() { lowest } else { energy.r#final };
+    let minimized = inputs.document.minimized_energy().unwrap_or(energy.r#final);
     format!(
         "<h2>Energy</h2>\n<p>{:.2} where every vertex takes the target vertex that suits it alone, {minimized:.2} after its \
          minimization, {:.2} for the answer, {:.2} for each of its {} variables (the curve has the iterations; conditional modes after the last one lower the energy further); {} target vertices to choose from, no unit, lower is better. The number of iterations is \

@@ -11,6 +11,7 @@
 mod group;
 mod null;
 mod planted;
+mod splits;
 
 use group::{Bench, Maps};
 use homolog_study::findings::Findings;

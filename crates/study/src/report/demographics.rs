@@ -158,11 +158,9 @@ pub(super) fn degrees(study: &Study, found: &Findings) -> String {
         return html;
     }
     // With further covariates, residuals differ within a group, so that nearly all orders differ.
-    let has_covariates = !study.settings.analysis.adjust.is_empty();
-    let effect = study.settings.analysis.effect.as_ref().and_then(|name| study.cohort.covariate(name));
-    if has_covariates {
-        return html;
-    }
+    let analysis = &study.settings.analysis;
+    let effect = analysis.effect.as_ref().filter(|_| analysis.adjust.is_empty());
+    let effect = effect.and_then(|name| study.cohort.covariate(name));
     if let Some(possible) = effect.map(|effect| arrangements(&statistics.design.rows, &effect.values))
         && possible < FEW_PERMUTATIONS
     {

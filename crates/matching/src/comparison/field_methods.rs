@@ -24,7 +24,7 @@ const FLOW_STEPS: usize = 20;
 
 /// Most vertices of either surface for a method, and an upper bound of its memory per vertex, bytes. Measured at these
 /// limits: 25, 18, 43 and 14 MiB for coherent point drift, non-rigid ICP, functional maps and the flow; counted: 47,
-/// 47, 78 and 16 MiB.
+/// 47, 68 and 16 MiB.
 pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
     match mode {
         DisplacementMode::None | DisplacementMode::Smooth => None,
@@ -33,7 +33,7 @@ pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
         // Not thinned: a map onto the sphere needs manifold surfaces, which thinned ones need not be, and a triangle of
         // a coarse surface can be wider than a tubular structure. The memory of these methods is linear in the surface.
         DisplacementMode::SpharmPdm | DisplacementMode::Medial => Some((usize::MAX, 4 << 10)),
-        DisplacementMode::FunctionalMap => Some((2500, 16 << 10)),
+        DisplacementMode::FunctionalMap => Some((2500, 14 << 10)),
         DisplacementMode::Diffeomorphic => Some((500, 16 << 10)),
     }
 }

@@ -135,6 +135,19 @@ async fn a15_sqlite() {
     client.until_succeeded(&id, SOON).await;
 }
 
+/// The answer to `/readyz` once it has this status.
+async fn until_readiness_is(client: &Client, status: u16) -> serde_json::Value {
+    let began = Instant::now();
+    loop {
+        let ready = client.get("/readyz").await.unwrap();
+        if ready.status() == status {
+            return ready.json().await.unwrap();
+        }
+        assert!(began.elapsed() < PATIENCE, "readiness is never {status}");
+        tokio::time::sleep(Duration::from_millis(20)).await;
+    }
+}
+
 /// Without any space the service starts and reports why it refuses submissions, and a purge frees space.
 #[tokio::test]
 #[ignore = "needs root, to mount a small disk"]
@@ -154,19 +167,11 @@ async fn a15_a_service_and_a_purge_start_on_a_full_disk() {
     let mut node = site.serve(&["--workers", "1", "--retain-results-days", "30"]);
     let client = site.client(&node);
     // The service starts on the space of the reserve, and is ready until that is used or kept again.
-    let began = Instant::now();
-    let dependencies = loop {
-        let ready = client.get("/readyz").await.unwrap();
-        if ready.status() == 503 {
-            break ready.json::<serde_json::Value>().await.unwrap()["dependencies"].clone();
-        }
-        assert!(began.elapsed() < PATIENCE, "a full disk is never reported");
-        tokio::time::sleep(Duration::from_millis(20)).await;
-    };
-    assert_eq!(dependencies["artifact_store"], "full");
+    let ready = until_readiness_is(&client, 503).await;
+    assert_eq!(ready["dependencies"]["artifact_store"], "full");
     assert_eq!(client.job(&id).await["state"], "succeeded", "what is there can be read");
     disk.empty();
-    assert_eq!(client.get("/readyz").await.unwrap().status(), 200);
+    until_readiness_is(&client, 200).await;
     node.kill();
     disk.fill(0);
     let mut purge = crate::cli::homolog();

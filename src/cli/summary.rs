@@ -107,7 +107,7 @@ fn precision(columns: &Correspondences) -> Option<String> {
 /// The energy before and after its minimization, and the energy of the answer where a displacement field changed the
 /// assignment.
 fn energy(result: &ResultDocument, e: &EnergyDocument) -> String {
-    let minimized = result.minimized_energy().unwrap_or(e.r#final);
+    let minimized = e.minimized(&result.rounds);
     let iterations: u32 = result.rounds.iter().map(|round| round.iterations).sum();
     let mut text = format!("{:.2} at the start, {minimized:.2} after minimization", e.initial);
     let _ = match result.rounds.len() {

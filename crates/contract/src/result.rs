@@ -495,11 +495,10 @@ fn upper_median(values: &[f64]) -> Option<f64> {
     values.get(values.len() / 2).copied()
 }
 
-impl ResultDocument {
-    /// The lowest energy of a round, or that of the answer if there was none; `None` if no energy was minimized.
-    pub fn minimized_energy(&self) -> Option<f64> {
-        let lowest = self.rounds.iter().map(|round| round.energy).min_by(f64::total_cmp);
-        self.energy.as_ref().map(|energy| lowest.unwrap_or(energy.r#final))
+impl EnergyDocument {
+    /// The lowest energy of these `rounds`, or that of the answer if there were none.
+    pub fn minimized(&self, rounds: &[RoundDocument]) -> f64 {
+        rounds.iter().map(|round| round.energy).min_by(f64::total_cmp).unwrap_or(self.r#final)
     }
 }
 

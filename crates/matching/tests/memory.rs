@@ -112,7 +112,7 @@ fn of_energies() -> Vec<Case> {
     ]
 }
 
-/// Asserts that no case takes more than it is predicted to, nor less than half of that at most.
+/// Asserts that no case takes more than it is predicted to, nor, in its largest of some runs, less than half of that.
 fn assert_predicted(cases: &[Case]) {
     // Scratch space for matrix products is kept by the threads, and not counted.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().unwrap();
@@ -120,15 +120,16 @@ fn assert_predicted(cases: &[Case]) {
     let mut missed = Vec::new();
     for (levels, request) in cases {
         let (predicted, mut counted) = taken(*levels, request, &pool);
+        let is_too_much = |counted: u64| predicted >= SMALL && predicted > 2 * counted;
         // How much of two threads' memory is held at once depends on what else the machine does.
         for _ in 0..REPEATS {
-            if predicted > 2 * counted && predicted >= SMALL {
+            if is_too_much(counted) {
                 counted = counted.max(taken(*levels, request, &pool).1);
             }
         }
         let share = predicted as f64 / counted as f64;
         let line = format!("{levels:?} {request}: predicted {predicted}, counted {counted}, {share:.2}");
-        if share < 1.0 || (share > 2.0 && predicted >= SMALL) {
+        if predicted < counted || is_too_much(counted) {
             missed.push(line);
         }
     }

@@ -267,7 +267,7 @@ fn energy(inputs: &ReportInputs<'_>) -> String {
             ),
         };
     };
-    let minimized = inputs.document.minimized_energy().unwrap_or(energy.r#final);
+    let minimized = energy.minimized(&inputs.document.rounds);
     format!(
         "<h2>Energy</h2>\n<p>{:.2} where every vertex takes the target vertex that suits it alone, {minimized:.2} after its \
          minimization, {:.2} for the answer, {:.2} for each of its {} variables (the curve has the iterations; conditional modes after the last one lower the energy further); {} target vertices to choose from, no unit, lower is better. The number of iterations is \

@@ -33,13 +33,30 @@ fn write(folder: &Path, name: &str, n_bytes: usize) -> io::Result<()> {
     written
 }
 
-/// Creates the file unless it exists.
+/// Space that this user may fill, bytes.
+#[cfg(unix)]
+fn room(folder: &Path) -> io::Result<u64> {
+    let disk = rustix::fs::statvfs(folder)?;
+    Ok(disk.f_bavail.saturating_mul(disk.f_frsize))
+}
+
+/// Unknown: only a write shows it.
+#[cfg(not(unix))]
+fn room(_: &Path) -> io::Result<u64> {
+    Ok(u64::MAX)
+}
+
+/// Creates the file unless it exists. A file that was given up is not written again before there is room for as much
+/// beside it: it would take the space that the database was given.
 ///
 /// # Errors
 /// If there is no room for it.
 pub(in crate::store) fn keep(folder: &Path) -> io::Result<()> {
     if fs::metadata(folder.join(NAME)).is_ok_and(|found| found.len() == N_BYTES as u64) {
         return Ok(());
+    }
+    if room(folder)? < 2 * N_BYTES as u64 {
+        return Err(io::ErrorKind::StorageFull.into());
     }
     write(folder, PART, N_BYTES)?;
     fs::rename(folder.join(PART), folder.join(NAME))

@@ -135,15 +135,17 @@ async fn a15_sqlite() {
     client.until_succeeded(&id, SOON).await;
 }
 
-/// The answer to `/readyz` once it has this status.
-async fn until_readiness_is(client: &Client, status: u16) -> serde_json::Value {
+/// Waits until `/readyz` responds with this status and state of the artifact store.
+async fn until_readiness_is(client: &Client, expected: (u16, &str)) {
     let began = Instant::now();
     loop {
         let ready = client.get("/readyz").await.unwrap();
-        if ready.status() == status {
-            return ready.json().await.unwrap();
+        let status = ready.status().as_u16();
+        let body: serde_json::Value = ready.json().await.unwrap();
+        if (status, body["dependencies"]["artifact_store"].as_str()) == (expected.0, Some(expected.1)) {
+            return;
         }
-        assert!(began.elapsed() < PATIENCE, "readiness is never {status}");
+        assert!(began.elapsed() < PATIENCE, "readiness is never {expected:?}: {status} {body}");
         tokio::time::sleep(Duration::from_millis(20)).await;
     }
 }
@@ -166,12 +168,10 @@ async fn a15_a_service_and_a_purge_start_on_a_full_disk() {
     disk.fill(0);
     let mut node = site.serve(&["--workers", "1", "--retain-results-days", "30"]);
     let client = site.client(&node);
-    // The service starts on the space of the reserve, and is ready until that is used or kept again.
-    let ready = until_readiness_is(&client, 503).await;
-    assert_eq!(ready["dependencies"]["artifact_store"], "full");
+    until_readiness_is(&client, (503, "full")).await;
     assert_eq!(client.job(&id).await["state"], "succeeded", "what is there can be read");
     disk.empty();
-    until_readiness_is(&client, 200).await;
+    until_readiness_is(&client, (200, "ok")).await;
     node.kill();
     disk.fill(0);
     let mut purge = crate::cli::homolog();

@@ -7,6 +7,7 @@ use super::deformed::Deformed;
 use super::displacement::Displacement;
 use super::fitted::{Refined, pose_of};
 use super::refine::refined_from;
+use super::relaxation::{Moved, relax};
 use super::reverse::{ReverseFit, returned};
 use super::roundness::spread_of_rotations;
 use super::strain::distortion;
@@ -14,6 +15,7 @@ use super::uncertainty;
 use crate::error::MatchError;
 use crate::pair::role::Role;
 use crate::pair::surfaces::{Surfaces, swapped};
+use crate::starts::limbs::may_branch;
 use homolog_contract::parameters::{Landmark, Uncertainty};
 use homolog_mesh::SurfaceMesh;
 use homolog_registration::RigidTransform;
@@ -46,7 +48,23 @@ pub(crate) fn finished(
         Some(back) => back.met(mesh.vertices(), &points),
         None => points,
     };
-    let fitted = met(source, own);
+    let smooth = &displacement.source.mesh;
+    let (mut fitted, mut at_smooth) = (met(source, own), met(smooth, refined.moved(smooth)));
+    // A small surface is not thinned: its field is fitted at all its vertices.
+    let mut of_full = (source != full_source).then(|| met(full_source, refined.moved(full_source)));
+    let started = if refined.base.bend.is_some() {
+        // The displacement of a bent base is no part of the field.
+        refined.started(smooth)
+    } else {
+        // Limbs that move against each other are no displacement that is smooth in space.
+        if !may_branch(surfaces) {
+            let mut sets = vec![Moved { points: source.vertices(), moved: &mut fitted }];
+            sets.extend(of_full.as_mut().map(|moved| Moved { points: full_source.vertices(), moved }));
+            relax(displacement, &pose_of(displacement, &at_smooth, &reached), &mut at_smooth, &mut sets)?;
+        }
+        let rigid = pose_of(displacement, &at_smooth, &reached);
+        smooth.vertices().iter().map(|p| rigid.apply(p)).collect()
+    };
     let distortion = distortion(source, &fitted);
     // Only bending-invariant forms give a bent base.
     let is_of_forms = refined.base.bend.is_some();
@@ -56,14 +74,14 @@ pub(crate) fn finished(
     let Some(rigid) = displacement.alignment(edge_mm).rigid_part(source, &fitted, mirrored, false)? else {
         return Ok(None);
     };
-    // A small surface is not thinned: its field is fitted at all its vertices.
-    let moved = if source == full_source { fitted } else { met(full_source, refined.moved(full_source)) };
+    let moved = of_full.unwrap_or(fitted);
     let transform = rigid.transform;
     if displacement.options.uncertainty == Uncertainty::Residual {
         let variances = vec![residual_mm * residual_mm; moved.len()];
         return Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }));
     }
-    let Some(mut variances) = uncertainty::variances(displacement, &refined, &reached, full_source.vertices()) else {
+    let Some(mut variances) = uncertainty::variances(displacement, (&started, &at_smooth), full_source.vertices())
+    else {
         return Ok(None);
     };
     // Copies start from their own pose, and bent surfaces have no axis: neither needs rotations in the variance.

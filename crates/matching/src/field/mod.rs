@@ -19,6 +19,7 @@ pub(crate) mod isometry;
 pub(crate) mod local;
 pub(crate) mod options;
 pub(crate) mod refine;
+mod relaxation;
 pub(crate) mod reverse;
 pub(crate) mod rivals;
 pub(crate) mod roundness;

@@ -15,11 +15,8 @@
 
 use super::deformation_evidence::{LARGEST_RATIO, Observed, WIDTHS, observed};
 use super::displacement::Displacement;
-use super::fitted::{Refined, pose_of};
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::N_FEATURES;
-use homolog_mesh::ClosestPoint;
-use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{
     Component, GaussianKernel, SmoothPrior, most_probable_kernel, posterior_covariances,
 };
@@ -40,7 +37,7 @@ const N_BINS: usize = 60;
 const BIN: f64 = 0.02;
 
 /// A sample of the points of the source, and the observations there.
-struct Sample {
+pub(super) struct Sample {
     points: Vec<Point3<f64>>,
     /// Area of each, mm².
     areas: Vec<f64>,
@@ -59,28 +56,23 @@ struct Sample {
     features: Vec<Vec<(f64, Vector3<f64>)>>,
 }
 
-/// The posterior variance of the displacement by `refined` at each of the `points` of the source, mm². `None` if a
-/// number is not finite.
+/// The posterior variance of the displacement at each of the `points` of the source, mm², where the vertices of its
+/// smooth version are displaced from `start` to `moved`. `None` if a number is not finite.
 ///
 /// # Cost
 /// `O(N³ + N · points)` for `N` observed components, at most 600.
 pub(super) fn variances(
     displacement: &Displacement<'_>,
-    refined: &Refined,
-    pose: &RigidTransform,
+    (start, moved): (&[Point3<f64>], &[Point3<f64>]),
     points: &[Point3<f64>],
 ) -> Option<Vec<f64>> {
-    let sample = Sample::of(displacement, refined, pose);
-    let diagonal_mm = displacement.diagonal_mm;
-    let widths = WIDTHS.map(|width| width * diagonal_mm);
-    let at = displacement.functions.coordinates(&sample.points);
+    let sample = Sample::of(displacement, start, moved);
     // Copies have no displacement, so no kernel is found.
-    let Some(found) = most_probable_kernel(&at, &sample.normals, &sample.shifts, &widths, LARGEST_RATIO) else {
+    let Some((prior, noise_mm)) = sample.prior(displacement) else {
         return Some(vec![0.0; points.len()]);
     };
-    let kernels = octaves(found.kernel).collect();
-    let prior = SmoothPrior { kernels, ..displacement.options.prior.of(diagonal_mm) };
-    let of_sample = sample.posterior(&at, &prior, found.noise_mm, displacement.lengths.root_mm)?;
+    let at = displacement.functions.coordinates(&sample.points);
+    let of_sample = sample.posterior(&at, &prior, noise_mm, displacement.lengths.root_mm)?;
     Some(sample.spread_to(points, &of_sample))
 }
 
@@ -93,19 +85,26 @@ fn octaves(found: GaussianKernel) -> impl Iterator<Item = GaussianKernel> {
     })
 }
 
+/// The noise of an observed quantity.
+pub(super) struct Noise {
+    /// Mean square, in squared units of the quantity.
+    pub variance: f64,
+    /// Area over which it is correlated, mm².
+    pub correlated: f64,
+}
+
+impl Noise {
+    /// The variance that a point of this `area`, mm², has as one of independent observations.
+    pub(super) fn at(&self, area: f64) -> f64 {
+        self.variance * (self.correlated / area).max(1.0)
+    }
+}
+
 impl Sample {
-    fn of(displacement: &Displacement<'_>, refined: &Refined, pose: &RigidTransform) -> Sample {
+    /// The observations where the vertices of the smooth source are displaced from `start` to `moved`.
+    pub(super) fn of(displacement: &Displacement<'_>, start: &[Point3<f64>], moved: &[Point3<f64>]) -> Sample {
         let (source, target) = (&displacement.source, &displacement.target);
-        let moved = refined.moved(&source.mesh);
         let vertices = source.mesh.vertices();
-        let start = match refined.base.bend {
-            // The displacement of a bent base is no part of the field.
-            Some(_) => refined.started(&source.mesh),
-            None => {
-                let rigid = pose_of(displacement, &moved, pose);
-                vertices.iter().map(|p| rigid.apply(p)).collect()
-            }
-        };
         let mut sample = Sample {
             points: Vec::new(),
             areas: Vec::new(),
@@ -113,28 +112,50 @@ impl Sample {
             shifts: Vec::new(),
             heights: Vec::new(),
             bending: Vec::new(),
-            features: vec![Vec::new(); FEATURES.len()],
+            features: vec![Vec::new(); N_FEATURES],
         };
-        let (observed, step) = observed(displacement, &moved);
+        let (observed, step) = observed(displacement, moved);
         for Observed { vertex: i, image, normal } in observed {
             let height = normal.dot(&(image.point - moved[i]));
             sample.points.push(vertices[i]);
             sample.areas.push(source.areas[i] * step as f64);
             sample.normals.push(normal);
             sample.heights.push(height);
-            let turning = Matrix3::from_rows(
-                &[0, 1, 2]
-                    .map(|axis| gradient(target.mesh.vertices(), &image, |k| target.normals[k][axis]).transpose()),
-            );
+            let turning = Matrix3::from_rows(&[0, 1, 2].map(|axis| {
+                gradient(target.mesh.vertices(), &image.triangle, |k| target.normals[k][axis]).transpose()
+            }));
             sample.bending.push(mean_square_of_bending(&turning));
             sample.shifts.push(normal.dot(&(moved[i] - start[i])) + height);
-            for (feature, differences) in FEATURES.zip(&mut sample.features) {
+            for (feature, differences) in sample.features.iter_mut().enumerate() {
                 let of_target = |k: usize| target.features[k * N_FEATURES + feature];
                 let difference = source.features[i * N_FEATURES + feature] - image.blend(of_target);
-                differences.push((difference, gradient(target.mesh.vertices(), &image, of_target)));
+                differences.push((difference, gradient(target.mesh.vertices(), &image.triangle, of_target)));
             }
         }
         sample
+    }
+
+    /// The process under which the normal components of the displacement are most probable, and the noise along the
+    /// normals under it, mm. `None` without a displacement, or if a number is not finite.
+    pub(super) fn prior(&self, displacement: &Displacement<'_>) -> Option<(SmoothPrior, f64)> {
+        let widths = WIDTHS.map(|width| width * displacement.diagonal_mm);
+        let at = displacement.functions.coordinates(&self.points);
+        let found = most_probable_kernel(&at, &self.normals, &self.shifts, &widths, LARGEST_RATIO)?;
+        let kernels = octaves(found.kernel).collect();
+        Some((SmoothPrior { kernels, ..displacement.options.prior.of(displacement.diagonal_mm) }, found.noise_mm))
+    }
+
+    /// The noise of heights with this standard deviation along the normals, mm.
+    pub(super) fn noise_of_heights(&self, noise_mm: f64, root_mm: f64) -> Noise {
+        Noise { variance: noise_mm * noise_mm, correlated: self.correlated_area(&self.heights, root_mm) }
+    }
+
+    /// The noise of a feature; `None` for a feature without differences (planes, exact copies), which has no reliable
+    /// gradient.
+    pub(super) fn noise_of_feature(&self, feature: usize, root_mm: f64) -> Option<Noise> {
+        let differences: Vec<f64> = self.features[feature].iter().map(|(difference, _)| *difference).collect();
+        let variance = self.variance(&differences);
+        (variance > 0.0).then(|| Noise { variance, correlated: self.correlated_area(&differences, root_mm) })
     }
 
     /// The posterior variance of the displacement at each point, mm², for this prior and noise along the normals.
@@ -170,22 +191,19 @@ impl Sample {
 
     /// The observed components at these points, heights first; `noise_mm` is the noise along the normals.
     fn components(&self, at: &[Point3<f64>], noise_mm: f64, root_mm: f64) -> Vec<Component> {
-        let component = |k: usize, direction: Vector3<f64>, variance: f64, correlated: f64| {
-            let share = (correlated / self.areas[k]).max(1.0);
-            Component { at: at[k], direction, variance: variance * share }
+        let component = |k: usize, direction: Vector3<f64>, noise: &Noise| Component {
+            at: at[k],
+            direction,
+            variance: noise.at(self.areas[k]),
         };
-        let correlated = self.correlated_area(&self.heights, root_mm);
+        let of_heights = self.noise_of_heights(noise_mm, root_mm);
         let mut components: Vec<Component> =
-            (0..at.len()).map(|k| component(k, self.normals[k], noise_mm * noise_mm, correlated)).collect();
-        for observed in &self.features {
-            let differences: Vec<f64> = observed.iter().map(|(difference, _)| *difference).collect();
-            let (variance, correlated) = (self.variance(&differences), self.correlated_area(&differences, root_mm));
-            // A feature without differences (planes, exact copies) has no reliable gradient, so it is left out.
-            if variance > 0.0 {
-                // Features are highly correlated with each other.
-                let variance = variance / FEATURE_SHARE;
-                components.extend((0..at.len()).map(|k| component(k, observed[k].1, variance, correlated)));
-            }
+            (0..at.len()).map(|k| component(k, self.normals[k], &of_heights)).collect();
+        for feature in FEATURES {
+            let Some(noise) = self.noise_of_feature(feature, root_mm) else { continue };
+            // Features are highly correlated with each other.
+            let noise = Noise { variance: noise.variance / FEATURE_SHARE, ..noise };
+            components.extend((0..at.len()).map(|k| component(k, self.features[feature][k].1, &noise)));
         }
         components
     }
@@ -240,10 +258,10 @@ fn mean_square_of_bending(turning: &Matrix3<f64>) -> f64 {
     0.25 * (2.0 * (symmetric * symmetric).trace() + symmetric.trace().powi(2))
 }
 
-/// The gradient, on the triangle of `at`, of the linear interpolation of the values at its corners; 0 on a triangle
+/// The gradient on a triangle of the linear interpolation of the values at its corners; 0 on a triangle
 /// without area.
-fn gradient(vertices: &[Point3<f64>], at: &ClosestPoint, value: impl Fn(usize) -> f64) -> Vector3<f64> {
-    let corners = at.triangle.map(|k| k as usize);
+pub(super) fn gradient(vertices: &[Point3<f64>], triangle: &[u32; 3], value: impl Fn(usize) -> f64) -> Vector3<f64> {
+    let corners = triangle.map(|k| k as usize);
     let [a, b, c] = corners.map(|k| vertices[k]);
     let [fa, fb, fc] = corners.map(value);
     let (e, f) = (b - a, c - a);
@@ -272,7 +290,7 @@ mod tests {
             shifts: vec![0.0; n],
             heights: vec![0.0; n],
             bending: vec![0.0; n],
-            features: vec![vec![(0.0, Vector3::zeros()); n]; FEATURES.len()],
+            features: vec![vec![(0.0, Vector3::zeros()); n]; N_FEATURES],
         }
     }
 
@@ -346,8 +364,7 @@ mod tests {
     fn a_gradient_is_that_of_the_linear_function_along_the_triangle() {
         let vertices = [Point3::new(0.0, 0.0, 0.0), Point3::new(3.0, 0.0, 1.0), Point3::new(1.0, 2.0, -1.0)];
         let slope = Vector3::new(0.4, -1.2, 0.7);
-        let at = ClosestPoint { triangle: [0, 1, 2], ..any_on_triangle() };
-        let found = gradient(&vertices, &at, |k| slope.dot(&vertices[k].coords) + 5.0);
+        let found = gradient(&vertices, &[0, 1, 2], |k| slope.dot(&vertices[k].coords) + 5.0);
         for [a, b] in [[0, 1], [1, 2], [2, 0]] {
             let edge = vertices[b] - vertices[a];
             assert!((found.dot(&edge) - slope.dot(&edge)).abs() < 1e-12);
@@ -355,12 +372,7 @@ mod tests {
         let normal = (vertices[1] - vertices[0]).cross(&(vertices[2] - vertices[0]));
         assert!(found.dot(&normal).abs() < 1e-12);
         let flat = [vertices[0]; 3];
-        assert_eq!(gradient(&flat, &at, |k| k as f64), Vector3::zeros());
-    }
-
-    fn any_on_triangle() -> ClosestPoint {
-        let mesh = homolog_mesh::shapes::ellipsoid(Vector3::new(2.0, 2.0, 2.0), 1);
-        homolog_mesh::ClosestPointIndex::new(&mesh).closest(&Point3::origin())
+        assert_eq!(gradient(&flat, &[0, 1, 2], |k| k as f64), Vector3::zeros());
     }
 
     #[test]

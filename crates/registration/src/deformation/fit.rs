@@ -30,6 +30,37 @@ impl Observation {
     }
 }
 
+/// What is known of the displacement at one point: a normal distribution in information form, which may say nothing in
+/// some directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Information {
+    /// Precision, symmetric and positive semi-definite, 1/mm².
+    pub precision: Matrix3<f64>,
+    /// Precision times displacement, 1/mm.
+    pub vector: Vector3<f64>,
+}
+
+impl Information {
+    /// No information.
+    pub fn none() -> Self {
+        Information { precision: Matrix3::zeros(), vector: Vector3::zeros() }
+    }
+
+    /// Adds the observation that the product of the displacement with `direction` is `value`, with this precision (1
+    /// over the squared unit of `value`).
+    pub fn add(&mut self, direction: &Vector3<f64>, value: f64, precision: f64) {
+        self.precision += precision * direction * direction.transpose();
+        self.vector += precision * value * direction;
+    }
+}
+
+impl From<&Observation> for Information {
+    fn from(observed: &Observation) -> Self {
+        let precision = observed.precision();
+        Information { precision, vector: precision * observed.displacement }
+    }
+}
+
 /// The posterior mean of a field.
 #[derive(Debug, Clone)]
 pub struct FittedField {
@@ -44,26 +75,34 @@ pub struct FittedField {
 /// # Cost
 /// `O(n M² + M³)`; with isotropic observations the axes share one `M × M` system instead of a `3M × 3M` system.
 pub fn fit_field(values: MatRef<'_, f64>, observations: &[Observation]) -> Option<FittedField> {
-    let (n, m) = (values.nrows(), values.ncols());
-    let precision: Vec<Matrix3<f64>> = observations.iter().map(Observation::precision).collect();
-    let weighted: Vec<Vector3<f64>> = observations.iter().zip(&precision).map(|(p, w)| w * p.displacement).collect();
-    let right_side = values.transpose() * Mat::from_fn(n, 3, |i, a| weighted[i][a]);
-    if observations.iter().all(|p| p.along == p.across) {
-        let weights: Col<f64> = observations.iter().map(|p| p.across).collect();
-        let mut scaled = values.to_owned();
-        for scaled in scaled.col_iter_mut() {
-            zip!(scaled, &weights).for_each(|unzip!(scaled, weight)| *scaled *= weight);
-        }
-        let mut system = Mat::zeros(m, m);
-        let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-        let (left, right) = (values.transpose(), scaled.as_ref());
-        matmul(system.as_mut(), lower, Accum::Replace, left, whole, right, whole, 1.0, Par::Seq);
-        for k in 0..m {
-            system[(k, k)] += 1.0;
-        }
-        let factor = system.llt(Side::Lower).ok()?;
-        return Some(FittedField { coefficients: factor.solve(&right_side) });
+    if observations.iter().any(|p| p.along != p.across) {
+        let known: Vec<Information> = observations.iter().map(Information::from).collect();
+        return fit_field_to(values, &known);
     }
+    let (n, m) = (values.nrows(), values.ncols());
+    let right_side =
+        values.transpose() * Mat::from_fn(n, 3, |i, a| observations[i].across * observations[i].displacement[a]);
+    let weights: Col<f64> = observations.iter().map(|p| p.across).collect();
+    let mut scaled = values.to_owned();
+    for scaled in scaled.col_iter_mut() {
+        zip!(scaled, &weights).for_each(|unzip!(scaled, weight)| *scaled *= weight);
+    }
+    let mut system = Mat::zeros(m, m);
+    let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+    let (left, right) = (values.transpose(), scaled.as_ref());
+    matmul(system.as_mut(), lower, Accum::Replace, left, whole, right, whole, 1.0, Par::Seq);
+    for k in 0..m {
+        system[(k, k)] += 1.0;
+    }
+    let factor = system.llt(Side::Lower).ok()?;
+    Some(FittedField { coefficients: factor.solve(&right_side) })
+}
+
+/// [`fit_field`] with any [`Information`] at each point. Cost `O(n M² + M³)`, with a `3M × 3M` system.
+pub fn fit_field_to(values: MatRef<'_, f64>, known: &[Information]) -> Option<FittedField> {
+    let (n, m) = (values.nrows(), values.ncols());
+    let right_side = values.transpose() * Mat::from_fn(n, 3, |i, a| known[i].vector[a]);
+    let precision: Vec<Matrix3<f64>> = known.iter().map(|known| known.precision).collect();
     let mut system = weighted_gram(values, &precision);
     for k in 0..3 * m {
         system[(k, k)] += 1.0;

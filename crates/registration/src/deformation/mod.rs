@@ -7,7 +7,8 @@
 //! - [`FieldBasis`]: the Nyström approximation over `m` inducing points that cover the surface evenly
 //!   ([`homolog_primitives::points::farthest_points`]). Wide kernels have few relevant functions, so `M` is tens, not
 //!   thousands. Observations are displacements, each with different precisions along and across a normal
-//!   ([`Observation`]); [`fit_field`] gives the posterior mean, `(I + Φᵀ W Φ) c = Φᵀ W d`. Used by displacement.
+//!   ([`Observation`]); [`fit_field`] gives the posterior mean, `(I + Φᵀ W Φ) c = Φᵀ W d`. [`fit_field_to`] is the same
+//!   for single components of displacements ([`Information`]). Used by displacement.
 //! - [`posterior_covariances`]: the uncertainty if single components of displacements are observed ([`Component`]),
 //!   exact and without a basis. Used by confidence.
 //! - `taylor`: one kernel by the first terms of its Taylor series, twenty functions without an eigendecomposition, with
@@ -30,6 +31,6 @@ pub(crate) mod taylor;
 mod tests;
 
 pub use evidence::{HeightEvidence, KernelEvidence, most_probable_kernel};
-pub use fit::{FittedField, Observation, fit_field};
+pub use fit::{FittedField, Information, Observation, fit_field, fit_field_to};
 pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};
 pub use posterior::{Component, posterior_covariances};

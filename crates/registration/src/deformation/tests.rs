@@ -103,6 +103,36 @@ proptest! {
     }
 
     #[test]
+    fn components_determine_a_field_as_their_normal_equations_say(seed in any::<u64>(), n in 2usize..25) {
+        let points = cloud(seed, n);
+        let basis = FieldBasis::new(&points, prior(), n).unwrap();
+        let values = basis.values(&points);
+        let (m, mut number) = (values.ncols(), numbers(seed ^ 3));
+        // No component at the first point, and one to three at each other one.
+        let mut known = vec![Information::none(); n];
+        let mut rows: Vec<(usize, Vector3<f64>, f64, f64)> = Vec::new();
+        for i in 1..n {
+            for direction in directions(seed ^ i as u64, 1 + i % 3) {
+                let (value, precision) = (3.0 * number(), 0.1 + 4.0 * number());
+                known[i].add(&direction, value, precision);
+                rows.push((i, direction, value, precision));
+            }
+        }
+        let found = fit_field_to(values.as_ref(), &known).unwrap();
+        // Observation by observation: `(I + Σ π a aᵀ) c = Σ π y a` for `a = d ⊗ φ`.
+        let of_row = |&(i, direction, ..): &(usize, Vector3<f64>, f64, f64), k: usize| direction[k / m] * values[(i, k % m)];
+        let system = Mat::from_fn(3 * m, 3 * m, |k, l| {
+            let sum: f64 = rows.iter().map(|row| row.3 * of_row(row, k) * of_row(row, l)).sum();
+            sum + if k == l { 1.0 } else { 0.0 }
+        });
+        let right = Mat::from_fn(3 * m, 1, |k, _| rows.iter().map(|row| row.3 * row.2 * of_row(row, k)).sum::<f64>());
+        let expected = system.llt(Side::Lower).unwrap().solve(&right);
+        for k in 0..3 * m {
+            prop_assert!((found.coefficients[(k % m, k / m)] - expected[(k, 0)]).abs() < 1e-9);
+        }
+    }
+
+    #[test]
     fn an_affine_motion_is_reproduced(seed in any::<u64>(), n in 12usize..60) {
         let points = cloud(seed, n);
         let mut number = numbers(seed ^ 5);

@@ -1,0 +1,180 @@
+//! Relaxation: an answer slides along the target to the posterior mean of its field.
+//!
+//! A fit to assigned points converges slowly along a smooth surface: the assignments of a point slide with it, so they
+//! pull it back to where it is, and it keeps most of the slide that it had when the stages became precise. Copies of a
+//! smooth solid were off by half an edge in this way. Here each observation states only what it determines: the
+//! component along the normal, and those along the gradients of the features, each with its noise
+//! ([`super::uncertainty`]). Their posterior mean under the process that is most probable for this pair is found by
+//! Gauss-Newton steps, and confidence is the posterior variance of the same model. Points slide along the target; their
+//! distance from it is left as it was fitted.
+//!
+//! An answer on a bent base has no rigid start, relative to which a displacement would be small; it is left as it is.
+
+use super::base::Base;
+use super::displacement::Displacement;
+use super::uncertainty::{Noise, Sample, gradient};
+use crate::error::MatchError;
+use crate::pair::assignment::FEATURE_SHARE;
+use crate::surface::smooth::{N_FEATURES, Thinned};
+use faer::Mat;
+use homolog_primitives::observe::checkpoint;
+use homolog_registration::RigidTransform;
+use homolog_registration::deformation::{FittedField, Information, fit_field_to};
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// Inducing points of the field.
+const N_INDUCING: usize = 100;
+/// Most Gauss-Newton steps.
+const MOST_STEPS: usize = 10;
+/// Root mean square movement in a step below which it is the last, in sampling distances.
+const AT_REST: f64 = 0.02;
+/// Weight of each feature: as much in all as that of those that uncertainty observes, as they are highly correlated.
+const WEIGHT_OF_FEATURE: f64 = 2.0 * FEATURE_SHARE / N_FEATURES as f64;
+
+/// Points of the source and where they are moved, mm.
+pub(super) struct Moved<'a> {
+    pub points: &'a [Point3<f64>],
+    pub moved: &'a mut Vec<Point3<f64>>,
+}
+
+/// The noise of heights and features, estimated from the pair.
+struct Noises {
+    of_heights: Noise,
+    of_features: Vec<Option<Noise>>,
+}
+
+/// Slides the vertices of the smooth source at `moved`, and those of the other `sets`, to the posterior mean of the
+/// displacement from the pose `rigid`. They stay where a number is not finite.
+///
+/// # Cost
+/// For each step `O(n M² + M³)` for at most 1,200 points and `M` functions.
+///
+/// # Errors
+/// [`MatchError::Cancelled`].
+pub(super) fn relax(
+    displacement: &Displacement<'_>,
+    rigid: &RigidTransform,
+    moved: &mut Vec<Point3<f64>>,
+    sets: &mut [Moved<'_>],
+) -> Result<(), MatchError> {
+    let vertices = displacement.source.mesh.vertices();
+    let start: Vec<Point3<f64>> = vertices.iter().map(|p| rigid.apply(p)).collect();
+    let sample = Sample::of(displacement, &start, moved);
+    let Some((prior, noise_mm)) = sample.prior(displacement) else { return Ok(()) };
+    let root_mm = displacement.lengths.root_mm;
+    let noises = Noises {
+        of_heights: sample.noise_of_heights(noise_mm, root_mm),
+        of_features: (0..N_FEATURES).map(|feature| sample.noise_of_feature(feature, root_mm)).collect(),
+    };
+    let Some(functions) = displacement.functions.with_prior(vertices, prior, N_INDUCING) else { return Ok(()) };
+    let joint = displacement.with_functions(functions);
+    let thinned = joint.source.thinned(joint.options.n_samples[2]);
+    let values = joint.guides.below(joint.functions.values(&thinned.points));
+    let guided: Vec<Information> =
+        joint.guides.observations(&Base::rigid(*rigid)).iter().map(Information::from).collect();
+    let of_vertices = joint.functions.values(vertices);
+    let slopes = slopes(&joint);
+    let of_sets: Vec<Mat<f64>> = sets.iter().map(|set| joint.functions.values(set.points)).collect();
+    for _ in 0..MOST_STEPS {
+        checkpoint(joint.observer)?;
+        let mut known = observed(&joint, &thinned, (&start, moved), (&noises, &slopes));
+        known.extend_from_slice(&guided);
+        let Some(field) = fit_field_to(values.as_ref(), &known) else { return Ok(()) };
+        let next = slid(&joint, rigid, (vertices, moved), (&field, &of_vertices));
+        let squares: f64 = next.iter().zip(&*moved).map(|(p, q)| (p - q).norm_squared()).sum();
+        if !squares.is_finite() {
+            return Ok(());
+        }
+        *moved = next;
+        for (set, values) in sets.iter_mut().zip(&of_sets) {
+            *set.moved = slid(&joint, rigid, (set.points, set.moved), (&field, values));
+        }
+        if squares <= vertices.len() as f64 * (AT_REST * displacement.lengths.sampling_mm).powi(2) {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// The gradients of the features at each vertex of the target: means over the triangles around it, weighted by area.
+/// Between vertices they are interpolated, so that they change smoothly as a point slides.
+fn slopes(displacement: &Displacement<'_>) -> Vec<[Vector3<f64>; N_FEATURES]> {
+    let target = &displacement.target;
+    let vertices = target.mesh.vertices();
+    let mut sums = vec![([Vector3::zeros(); N_FEATURES], 0.0); vertices.len()];
+    for triangle in target.mesh.triangles() {
+        let [a, b, c] = triangle.map(|k| vertices[k as usize]);
+        let doubled_area = (b - a).cross(&(c - a)).norm();
+        let of_feature =
+            |feature| gradient(vertices, &triangle, |k| target.features[k * N_FEATURES + feature]) * doubled_area;
+        let gradients: [Vector3<f64>; N_FEATURES] = std::array::from_fn(of_feature);
+        for corner in triangle {
+            let (sum, total) = &mut sums[corner as usize];
+            for (sum, gradient) in sum.iter_mut().zip(&gradients) {
+                *sum += gradient;
+            }
+            *total += doubled_area;
+        }
+    }
+    let mean = |(sum, total): ([Vector3<f64>; N_FEATURES], f64)| {
+        if total > 0.0 { sum.map(|gradient| gradient / total) } else { sum }
+    };
+    sums.into_iter().map(mean).collect()
+}
+
+/// What the surfaces say of the displacement at each point of `thinned`, where the vertices of the source are displaced
+/// from `start` to `moved`. Nothing is known beyond the rim of the target.
+fn observed(
+    displacement: &Displacement<'_>,
+    thinned: &Thinned,
+    (start, moved): (&[Point3<f64>], &[Point3<f64>]),
+    (noises, slopes): (&Noises, &[[Vector3<f64>; N_FEATURES]]),
+) -> Vec<Information> {
+    let (source, target) = (&displacement.source, &displacement.target);
+    let closest = target.closest();
+    let of_point = |(&i, &area): (&usize, &f64)| {
+        let mut known = Information::none();
+        let at = closest.index.closest(&moved[i]);
+        let Some(normal) = at.blend(|k| target.normals[k]).try_normalize(1e-9) else { return known };
+        if closest.is_at_rim(&at) {
+            return known;
+        }
+        let displaced = moved[i] - start[i];
+        let height = normal.dot(&(at.point - moved[i]));
+        known.add(&normal, normal.dot(&displaced) + height, 1.0 / noises.of_heights.at(area));
+        for (feature, noise) in noises.of_features.iter().enumerate() {
+            let Some(noise) = noise else { continue };
+            let of_target = |k: usize| target.features[k * N_FEATURES + feature];
+            let difference = source.features[i * N_FEATURES + feature] - at.blend(of_target);
+            let slope = at.blend(|k| slopes[k][feature]);
+            known.add(&slope, slope.dot(&displaced) + difference, WEIGHT_OF_FEATURE / noise.at(area));
+        }
+        known
+    };
+    thinned.vertices.par_iter().zip(&thinned.areas).map(of_point).collect()
+}
+
+/// `moved`, the places of `points` of the source, slid along the target to where `field` moves them from `rigid`, at
+/// their distance from it. `values`: its functions at the points.
+fn slid(
+    displacement: &Displacement<'_>,
+    rigid: &RigidTransform,
+    (points, moved): (&[Point3<f64>], &[Point3<f64>]),
+    (field, values): (&FittedField, &Mat<f64>),
+) -> Vec<Point3<f64>> {
+    let target = &displacement.target;
+    let closest = &target.closest().index;
+    let wanted = field.displacements(values.as_ref());
+    let of_point = |((p, q), u): ((&Point3<f64>, &Point3<f64>), &Vector3<f64>)| {
+        let at = closest.closest(q);
+        let Some(normal) = at.blend(|k| target.normals[k]).try_normalize(1e-9) else { return *q };
+        let height = normal.dot(&(q - at.point));
+        let step = rigid.apply(p) + u - q;
+        let along = q + step - normal * normal.dot(&step);
+        let there = closest.closest(&along);
+        let Some(normal) = there.blend(|k| target.normals[k]).try_normalize(1e-9) else { return along };
+        along + normal * (height - normal.dot(&(along - there.point)))
+    };
+    points.par_iter().zip(moved).zip(&wanted).map(of_point).collect()
+}

@@ -111,10 +111,10 @@ proptest! {
         // No component at the first point, and one to three at each other one.
         let mut known = vec![Information::none(); n];
         let mut rows: Vec<(usize, Vector3<f64>, f64, f64)> = Vec::new();
-        for i in 1..n {
+        for (i, known) in known.iter_mut().enumerate().skip(1) {
             for direction in directions(seed ^ i as u64, 1 + i % 3) {
                 let (value, precision) = (3.0 * number(), 0.1 + 4.0 * number());
-                known[i].add(&direction, value, precision);
+                known.add(&direction, value, precision);
                 rows.push((i, direction, value, precision));
             }
         }

@@ -5,17 +5,17 @@ use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use std::sync::{Mutex, PoisonError};
 
 /// Number of checks for cancellation, and the share of the processor time of the displacement at that check, from four
-/// pairs of hippocampi with 118 to 130 checks. The second check precedes inference. The local stage begins at the 84th
+/// pairs of hippocampi. The second check precedes inference. The local stage begins at the 84th
 /// or skips the checks of stages that were not run. The energy of the answer follows the last check.
 const CURVE: [(f64, f64); 8] = [
     (0.0, 0.0),
-    (2.0, 0.188),
-    (13.0, 0.21),
-    (37.0, 0.309),
-    (61.0, 0.358),
+    (2.0, 0.13),
+    (13.0, 0.155),
+    (37.0, 0.24),
+    (61.0, 0.285),
     (84.0, PROGRESS_BEFORE_LOCAL),
-    (97.0, 0.641),
-    (118.0, 0.813),
+    (97.0, 0.47),
+    (118.0, 0.66),
 ];
 
 /// Reports the progress of a displacement, estimated from the number of checks for cancellation, one per step. The

@@ -17,6 +17,7 @@ use crate::error::MatchError;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::{N_FEATURES, Thinned};
 use faer::Mat;
+use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{FittedField, Information, fit_field_to};
@@ -74,7 +75,7 @@ pub(super) fn relax(
     let guided: Vec<Information> =
         joint.guides.observations(&Base::rigid(*rigid)).iter().map(Information::from).collect();
     let of_vertices = joint.functions.values(vertices);
-    let slopes = slopes(&joint);
+    let slopes = slopes(&joint.target.mesh, &joint.target.features);
     let of_sets: Vec<Mat<f64>> = sets.iter().map(|set| joint.functions.values(set.points)).collect();
     for _ in 0..MOST_STEPS {
         checkpoint(joint.observer)?;
@@ -97,17 +98,15 @@ pub(super) fn relax(
     Ok(())
 }
 
-/// The gradients of the features at each vertex of the target: means over the triangles around it, weighted by area.
-/// Between vertices they are interpolated, so that they change smoothly as a point slides.
-fn slopes(displacement: &Displacement<'_>) -> Vec<[Vector3<f64>; N_FEATURES]> {
-    let target = &displacement.target;
-    let vertices = target.mesh.vertices();
+/// The gradients of the features at each vertex: means over the triangles around it, weighted by area. Between vertices
+/// they are interpolated, so that they change smoothly as a point slides. `features`: [`N_FEATURES`] of each vertex.
+fn slopes(mesh: &SurfaceMesh, features: &[f64]) -> Vec<[Vector3<f64>; N_FEATURES]> {
+    let vertices = mesh.vertices();
     let mut sums = vec![([Vector3::zeros(); N_FEATURES], 0.0); vertices.len()];
-    for triangle in target.mesh.triangles() {
+    for triangle in mesh.triangles() {
         let [a, b, c] = triangle.map(|k| vertices[k as usize]);
         let doubled_area = (b - a).cross(&(c - a)).norm();
-        let of_feature =
-            |feature| gradient(vertices, &triangle, |k| target.features[k * N_FEATURES + feature]) * doubled_area;
+        let of_feature = |feature| gradient(vertices, &triangle, |k| features[k * N_FEATURES + feature]) * doubled_area;
         let gradients: [Vector3<f64>; N_FEATURES] = std::array::from_fn(of_feature);
         for corner in triangle {
             let (sum, total) = &mut sums[corner as usize];
@@ -177,4 +176,27 @@ fn slid(
         along + normal * (height - normal.dot(&(along - there.point)))
     };
     points.par_iter().zip(moved).zip(&wanted).map(of_point).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homolog_mesh::shapes::ellipsoid;
+
+    #[test]
+    fn slopes_of_linear_functions_are_their_components_along_the_surface() {
+        let mesh = ellipsoid(Vector3::new(9.0, 7.0, 5.0), 4);
+        let normals: Vec<Vector3<f64>> =
+            mesh.vertices().iter().map(|p| Vector3::new(p.x / 81.0, p.y / 49.0, p.z / 25.0).normalize()).collect();
+        let directions: Vec<Vector3<f64>> =
+            (0..N_FEATURES).map(|k| Vector3::new((k as f64).cos(), (2.0 * k as f64).sin(), 1.0 - k as f64)).collect();
+        let features: Vec<f64> =
+            mesh.vertices().iter().flat_map(|p| directions.iter().map(|d| d.dot(&p.coords))).collect();
+        for (slopes, normal) in slopes(&mesh, &features).iter().zip(&normals) {
+            for (slope, direction) in slopes.iter().zip(&directions) {
+                let along = direction - normal * normal.dot(direction);
+                assert!((slope - along).norm() < 0.05 * direction.norm(), "{slope} {along}");
+            }
+        }
+    }
 }

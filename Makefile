@@ -14,6 +14,7 @@
 #                  a_killed_: 200 kills of children and 200 of the service
 #   contract       a service on each store against its OpenAPI document, with schemathesis; EXAMPLES=50: requests an operation
 #   readers        outputs and clients in other programs: Python readers, browsers, generated clients, Orthanc, Prometheus
+#   properties     the property tests again with new random inputs; RUNS=20: seeds
 #   answers        the answers of this build against tests/answers.tsv, to the bit, on 20 real pairs; DATA=dir
 #   peers-read     files of other programs read by homolog and by them; writes docs/formats-read.md; ROUNDS=6: mutations a kind
 #   fuzz           coverage-guided fuzzing of the readers, or of requests: PART=json, form, headers, query or token; FOR=600:
@@ -49,7 +50,7 @@ SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
 .PHONY: help build demo test check api client dashboard
-.PHONY: faults contract readers answers peers-read fuzz soak memory
+.PHONY: faults contract readers properties answers peers-read fuzz soak memory
 .PHONY: msrv public-api advisories sbom screenshots pictures
 .PHONY: accuracy experiment methods energies thresholds study study-others study-taxa validate-study study-env bench bench-service
 
@@ -70,6 +71,7 @@ OURS_ONLY ?=
 ONLY ?=
 PARTS ?=
 ROUNDS ?= 6
+RUNS ?= 20
 SPLITS ?=
 # The newest accuracy table.
 ACCURACY ?= $(lastword $(sort $(wildcard docs/accuracy/*)))
@@ -97,6 +99,9 @@ faults:
 readers:
 	@scripts/setup test
 	@CARGO="$(CARGO)" scripts/test readers
+
+properties:
+	@CARGO="$(CARGO)" scripts/properties $(RUNS)
 
 soak: build
 	scripts/soak target/release/homolog --seconds $(SECONDS) --record target/soak.md

@@ -390,6 +390,12 @@ fn binary_row(
             Some(length) => {
                 let n =
                     length.whole_of(scanner.take(1, length.size(), "the length of a list of a PLY element")?, order);
+                // A face without vertices has no use, and is what is read where the count of vertices is wrong.
+                if n == 0 && column.role == Role::Corners && element.name == "face" {
+                    return Err(scanner.expected(
+                        "faces with vertices; one has none, which suggests that a count in the header is wrong",
+                    ));
+                }
                 u64::try_from(n).map_err(|_| scanner.expected("a list that is not of negative length"))?
             }
         };

@@ -182,6 +182,63 @@ fn what_is_refused_is_refused_for_what_it_is() {
     }
 }
 
+/// All counts up to 19 vertices and 29 faces instead of 8 and 12: random ones found one wrong pair of counts in a run of
+/// many.
+#[test]
+fn a_changed_count_of_a_mesh_is_never_half_a_mesh() {
+    let text_with = |text: &str, counts: [(&str, String); 2]| {
+        counts.iter().fold(text.to_owned(), |text, (from, to)| text.replacen(from, to, 1)).into_bytes()
+    };
+    let ply_with = |bytes: &[u8], vertices: u64, faces: u64| {
+        let head = String::from_utf8_lossy(bytes).find("end_header").unwrap();
+        let header = std::str::from_utf8(&bytes[..head]).unwrap();
+        let mut changed = text_with(
+            header,
+            [
+                ("element vertex 8", format!("element vertex {vertices}")),
+                ("element face 12", format!("element face {faces}")),
+            ],
+        );
+        changed.extend(&bytes[head..]);
+        changed
+    };
+    let freesurfer_with = |vertices: u64, faces: u64| {
+        let mut bytes = sample("FreeSurfer, binary");
+        let at = bytes.windows(8).position(|w| w == [0, 0, 0, 8, 0, 0, 0, 12]).unwrap();
+        bytes[at..at + 4].copy_from_slice(&(vertices as u32).to_be_bytes());
+        bytes[at + 4..at + 8].copy_from_slice(&(faces as u32).to_be_bytes());
+        bytes
+    };
+    let expected = triangles(&surface());
+    for (vertices, faces) in (0..20u64).flat_map(|v| (0..30u64).map(move |f| (v, f))) {
+        let off = text_with(&text("OFF"), [("8 12 0", format!("{vertices} {faces} 0")), ("# counts", String::new())]);
+        let counts =
+            [("POINTS 8", format!("POINTS {vertices}")), ("POLYGONS 12 48", format!("POLYGONS {faces} {}", 4 * faces))];
+        let mut files = vec![
+            ("PLY, ASCII", ply_with(&sample("PLY, ASCII"), vertices, faces)),
+            ("PLY, little-endian", ply_with(&sample("PLY, little-endian"), vertices, faces)),
+            ("PLY, big-endian", ply_with(&sample("PLY, big-endian"), vertices, faces)),
+            ("PLY, as written", ply_with(&sample("PLY, as written"), vertices, faces)),
+            ("OFF", off),
+            ("FreeSurfer, binary", freesurfer_with(vertices, faces)),
+            ("VTK 2.0, ASCII", text_with(&text("VTK 2.0, ASCII"), counts)),
+        ];
+        // As many rows in all contradict nothing where a row of a face could be that of a vertex: as many words in text,
+        // as many bytes in the other files, except where coordinates are in double precision.
+        if vertices + faces == 20 && vertices != 8 {
+            files.retain(|(name, _)| ["PLY, as written", "VTK 2.0, ASCII"].contains(name));
+        }
+        for (name, bytes) in files {
+            match file(&bytes, None) {
+                Ok(read) => {
+                    assert_eq!(triangles(&mesh_of(read)), expected, "{name} with {vertices} vertices, {faces} faces")
+                }
+                Err(error) => assert!((vertices, faces) != (8, 12), "{name}: {error}"),
+            }
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn binary_stl_is_read_whole_or_refused_with_both_counts(stated in 0..40u32, cut in 0..=600usize, more in 0..120usize, byte: u8) {
@@ -208,41 +265,6 @@ proptest! {
                 prop_assert_ne!(said, found);
             }
             Err(other) => prop_assert!(bytes.len() < 134 || byte != 0 || cut > 0 || more > 0, "{other}"),
-        }
-    }
-
-    #[test]
-    fn a_changed_count_of_a_mesh_is_never_half_a_mesh(n_vertices in 0..20u64, n_faces in 0..30u64, k in 0..5usize) {
-        let with = |text: &str, from: [&str; 2], to: [String; 2]| {
-            text.replacen(from[0], &to[0], 1).replacen(from[1], &to[1], 1).into_bytes()
-        };
-        let counts = |a: &str, b: &str| [format!("{a}{n_vertices}"), format!("{b}{n_faces}")];
-        let bytes = match k {
-            0 => with(&text("PLY, ASCII"), ["element vertex 8", "element face 12"], counts("element vertex ", "element face ")),
-            1 => with(&text("OFF"), ["8 12 0", "# counts"], [format!("{n_vertices} {n_faces} 0"), String::new()]),
-            2 => {
-                let mut bytes = sample("FreeSurfer, binary");
-                let at = bytes.windows(8).position(|w| w == [0, 0, 0, 8, 0, 0, 0, 12]).unwrap();
-                bytes[at..at + 4].copy_from_slice(&(n_vertices as u32).to_be_bytes());
-                bytes[at + 4..at + 8].copy_from_slice(&(n_faces as u32).to_be_bytes());
-                bytes
-            }
-            3 => {
-                let mut bytes = homolog_formats::write_ply(&surface());
-                let head = String::from_utf8_lossy(&bytes).find("end_header").unwrap();
-                let header = String::from_utf8(bytes[..head].to_vec()).unwrap();
-                let header = with(&header, ["element vertex 8", "element face 12"], counts("element vertex ", "element face "));
-                bytes.splice(..head, header);
-                bytes
-            }
-            _ => with(&text("VTK 2.0, ASCII"), ["POINTS 8", "POLYGONS 12 48"], [format!("POINTS {n_vertices}"), format!("POLYGONS {n_faces} {}", 4 * n_faces)]),
-        };
-        // Lines of faces are lines of vertices too, where a line of a vertex has as many numbers, and both take 12 bytes in
-        // FreeSurfer's files: as many rows in all contradict nothing.
-        prop_assume!(k > 2 || n_vertices + n_faces != 20 || n_vertices == 8);
-        match file(&bytes, None) {
-            Ok(read) => prop_assert_eq!(triangles(&mesh_of(read)), triangles(&surface())),
-            Err(error) => prop_assert!((n_vertices, n_faces) != (8, 12), "{error}"),
         }
     }
 

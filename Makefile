@@ -14,7 +14,6 @@
 #                  a_killed_: 200 kills of children and 200 of the service
 #   contract       a service on each store against its OpenAPI document, with schemathesis; EXAMPLES=50: requests an operation
 #   readers        outputs and clients in other programs: Python readers, browsers, generated clients, Orthanc, Prometheus
-#   properties     the property tests again with new random inputs; RUNS=20: seeds
 #   answers        the answers of this build against tests/answers.tsv, to the bit, on 20 real pairs; DATA=dir
 #   peers-read     files of other programs read by homolog and by them; writes docs/formats-read.md; ROUNDS=6: mutations a kind
 #   fuzz           coverage-guided fuzzing of the readers, or of requests: PART=json, form, headers, query or token; FOR=600:
@@ -23,6 +22,7 @@
 #   memory         attack the service in a memory group, or measure its memory without one; SECONDS=60; target/memory.md
 #
 # Before a release
+#   properties     the property tests with new random inputs; RUNS=20: seeds
 #   msrv           build with the oldest supported toolchain, which Cargo.toml states; needs rustup
 #   public-api     write the public items of the library crates into api/rust; `scripts/public-api check` compares
 #   advisories     known vulnerabilities of dependencies; needs the internet
@@ -50,8 +50,8 @@ SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
 .PHONY: help build demo test check api client dashboard
-.PHONY: faults contract readers properties answers peers-read fuzz soak memory
-.PHONY: msrv public-api advisories sbom screenshots pictures
+.PHONY: faults contract readers answers peers-read fuzz soak memory
+.PHONY: properties msrv public-api advisories sbom screenshots pictures
 .PHONY: accuracy experiment methods energies thresholds study study-others study-taxa validate-study study-env bench bench-service
 
 CARGO ?= cargo

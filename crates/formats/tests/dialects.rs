@@ -189,6 +189,10 @@ fn a_changed_count_of_a_mesh_is_never_half_a_mesh() {
     let text_with = |text: &str, counts: [(&str, String); 2]| {
         counts.iter().fold(text.to_owned(), |text, (from, to)| text.replacen(from, to, 1)).into_bytes()
     };
+    let ply: Vec<(&str, Vec<u8>)> = ["PLY, ASCII", "PLY, little-endian", "PLY, big-endian", "PLY, as written"]
+        .map(|name| (name, sample(name)))
+        .into();
+    let (off, vtk, freesurfer) = (text("OFF"), text("VTK 2.0, ASCII"), sample("FreeSurfer, binary"));
     let ply_with = |bytes: &[u8], vertices: u64, faces: u64| {
         let head = String::from_utf8_lossy(bytes).find("end_header").unwrap();
         let header = std::str::from_utf8(&bytes[..head]).unwrap();
@@ -203,7 +207,7 @@ fn a_changed_count_of_a_mesh_is_never_half_a_mesh() {
         changed
     };
     let freesurfer_with = |vertices: u64, faces: u64| {
-        let mut bytes = sample("FreeSurfer, binary");
+        let mut bytes = freesurfer.clone();
         let at = bytes.windows(8).position(|w| w == [0, 0, 0, 8, 0, 0, 0, 12]).unwrap();
         bytes[at..at + 4].copy_from_slice(&(vertices as u32).to_be_bytes());
         bytes[at + 4..at + 8].copy_from_slice(&(faces as u32).to_be_bytes());
@@ -211,18 +215,16 @@ fn a_changed_count_of_a_mesh_is_never_half_a_mesh() {
     };
     let expected = triangles(&surface());
     for (vertices, faces) in (0..20u64).flat_map(|v| (0..30u64).map(move |f| (v, f))) {
-        let off = text_with(&text("OFF"), [("8 12 0", format!("{vertices} {faces} 0")), ("# counts", String::new())]);
-        let counts =
+        let of_off = [("8 12 0", format!("{vertices} {faces} 0")), ("# counts", String::new())];
+        let of_vtk =
             [("POINTS 8", format!("POINTS {vertices}")), ("POLYGONS 12 48", format!("POLYGONS {faces} {}", 4 * faces))];
-        let mut files = vec![
-            ("PLY, ASCII", ply_with(&sample("PLY, ASCII"), vertices, faces)),
-            ("PLY, little-endian", ply_with(&sample("PLY, little-endian"), vertices, faces)),
-            ("PLY, big-endian", ply_with(&sample("PLY, big-endian"), vertices, faces)),
-            ("PLY, as written", ply_with(&sample("PLY, as written"), vertices, faces)),
-            ("OFF", off),
+        let mut files: Vec<(&str, Vec<u8>)> =
+            ply.iter().map(|(name, bytes)| (*name, ply_with(bytes, vertices, faces))).collect();
+        files.extend([
+            ("OFF", text_with(&off, of_off)),
             ("FreeSurfer, binary", freesurfer_with(vertices, faces)),
-            ("VTK 2.0, ASCII", text_with(&text("VTK 2.0, ASCII"), counts)),
-        ];
+            ("VTK 2.0, ASCII", text_with(&vtk, of_vtk)),
+        ]);
         // As many rows in all contradict nothing where a row of a face could be that of a vertex: as many words in text,
         // as many bytes in the other files, except where coordinates are in double precision.
         if vertices + faces == 20 && vertices != 8 {

@@ -101,6 +101,7 @@ readers:
 	@CARGO="$(CARGO)" scripts/test readers
 
 properties:
+	@scripts/setup build
 	@CARGO="$(CARGO)" scripts/properties $(RUNS)
 
 soak: build

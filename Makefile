@@ -232,7 +232,7 @@ ifneq ($(filter-out read,$(PART)),)
 	  -timeout=$(or $(WITHIN),2) -malloc_limit_mb=64 -rss_limit_mb=2048 -max_len=8192
 else
 	mkdir -p fuzz/corpus/read fuzz/artifacts/read
-	HOMOLOG_FUZZ_SEEDS="$$PWD/fuzz/corpus/read" $(CARGO) test --locked -p homolog-formats --test hostile every_format
+	HOMOLOG_FUZZ_SEEDS="$$PWD/fuzz/corpus/read" $(CARGO) test --locked -p homolog-formats --test formats hostile::every_format
 	find "$(DATA)"/formats tests/fixtures crates/formats/tests -type f -size -64k -exec cp -n {} fuzz/corpus/read/ \; || true
 	cd fuzz && $(CARGO) +nightly fuzz run read corpus/read -- -max_total_time=$(or $(FOR),600) -timeout=$(or $(WITHIN),2) -malloc_limit_mb=256 \
 	  -rss_limit_mb=2048 -max_len=65536 -dict=formats.dict

@@ -232,6 +232,14 @@ impl App {
             false => Some(Arc::new(ProcessRecord::create(&data_dir, &worker).map_err(unusable)?)),
         };
         let worker_settings = settings.worker_settings();
+        tracing::info!(
+            version = env!("CARGO_PKG_VERSION"),
+            commit = env!("HOMOLOG_COMMIT"),
+            cores = worker_settings.cores,
+            memory_bytes = worker_settings.memory_bytes,
+            database = if is_shared { "postgresql" } else { "sqlite" },
+            "started"
+        );
         let heartbeats =
             Heartbeats::start(Arc::new(heartbeat_store.clone()), worker_settings.heartbeat, worker_settings.lease);
         let heartbeats = Arc::new(heartbeats.map_err(AppError::Thread)?);

@@ -2,7 +2,7 @@
 //! patient.
 
 use crate::config::LogFormat;
-use metrics_exporter_prometheus::{PrometheusBuilder, PrometheusHandle};
+use metrics_exporter_prometheus::{Matcher, PrometheusBuilder, PrometheusHandle};
 use std::sync::OnceLock;
 use tracing_subscriber::filter::Targets;
 use tracing_subscriber::layer::{Layer as _, SubscriberExt as _};
@@ -114,7 +114,11 @@ pub fn metrics_text() -> String {
     static RECORDER: OnceLock<Option<PrometheusHandle>> = OnceLock::new();
     let recorder = RECORDER.get_or_init(|| {
         let buckets = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0];
+        // A job may run for an hour.
+        let longer = [60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0];
         let builder = PrometheusBuilder::new().set_buckets(&buckets).ok()?;
+        let job_buckets = [buckets.as_slice(), &longer].concat();
+        let builder = builder.set_buckets_for_metric(Matcher::Full("homolog_job_seconds".to_owned()), &job_buckets).ok()?;
         let recorder = builder.install_recorder().ok();
         describe();
         recorder

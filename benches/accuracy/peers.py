@@ -211,9 +211,9 @@ def run_functional_maps(case):
 
 PEERS = {
     "icp": SimpleNamespace(title="multi-start ICP + nearest point", run=run_icp, package=None, module=None, dense=True),
-    "bcpd": SimpleNamespace(title="BCPD after it (NumPy, here)", run=run_bcpd, package=None, module=None, dense=True),
+    "bcpd": SimpleNamespace(title="BCPD from multi-start ICP (our NumPy)", run=run_bcpd, package=None, module=None, dense=True),
     "cpd": SimpleNamespace(
-        title="CPD (rustcpd) after it", run=run_cpd, package="rustcpd", module="rustcpd", dense=True
+        title="CPD (rustcpd) from multi-start ICP", run=run_cpd, package="rustcpd", module="rustcpd", dense=True
     ),
     "functional_maps": SimpleNamespace(
         title="functional maps + ZoomOut (pyFM)", run=run_functional_maps, package="pyfmaps", module="pyFM", dense=True

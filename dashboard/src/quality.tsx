@@ -56,7 +56,7 @@ export function Quality({ study, rows, matches, deciding, picture, version, top 
     <section aria-label="Quality control" class="section">
       <h2>Quality control</h2>
       <div class="tools">
-        <span class="hint">{rows === null ? "The subjects and their matches." : `The most urgent first. Pictures: the template bent onto the subject; red lies outside of the mean (${number(top, 2)} mm or more), blue inside.`}</span>
+        <span class="hint">{rows === null ? "The subjects and their matches." : `The most urgent first. Pictures: the template deformed onto the subject; red lies outside of the mean (${number(top, 2)} mm or more), blue inside.`}</span>
         {rows !== null && (
           <label class="check">
             <input type="checkbox" checked={flagged} onChange={(e) => setFlagged(e.currentTarget.checked)} /> Only those to look at, or decided

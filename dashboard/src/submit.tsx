@@ -103,7 +103,7 @@ export function Submit() {
     <div class="submit">
       <h1>Submit a pair</h1>
       <p class="tools">
-        <span>The source is moved and bent onto the target, which stays.</span>
+        <span>The source is moved and deformed onto the target, which stays.</span>
         <button onClick={takePhantoms}>Take the two built-in phantoms</button>
       </p>
       <div class="pair">

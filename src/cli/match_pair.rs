@@ -51,7 +51,7 @@ pub(super) struct MatchArgs {
     #[command(flatten)]
     pub(super) limits: LimitArgs,
     /// Folder for result.json, correspondences.csv, source.ply, target.ply, aligned.ply (moved rigidly), warped.ply, .vtp,
-    /// .surf.gii and .csv (the source bent onto the target), transform.tfm, .lta and, for DICOM inputs,
+    /// .surf.gii and .csv (the source deformed onto the target), transform.tfm, .lta and, for DICOM inputs,
     /// transform.dcm and warped.dcm, and trace.jsonl; with several targets, for a folder with these and a report.html for each,
     /// and summary.csv
     #[arg(long, value_name = "DIR")]

@@ -33,11 +33,11 @@ use std::path::{Path, PathBuf};
 pub(super) struct StudyArgs {
     #[command(subcommand)]
     command: Option<StudyCommand>,
-    /// A table of subjects (CSV with the column file and, optionally, id, subject, role and covariates), a folder of
+    /// A table of subjects (CSV with the column file and, optionally, id, subject, role, side, label and covariates), a folder of
     /// their files, or the study.json of a study to compute again
     #[arg(value_name = "TABLE.csv|FOLDER|study.json", required = true)]
     cohort: Option<PathBuf>,
-    /// Folder for everything that is found: study.json, report.html, tables, the mean, modes, maps, and the template bent onto
+    /// Folder for the results: study.json, report.html, tables, the mean, modes, maps, and the template deformed onto
     /// every subject
     #[arg(long, value_name = "DIR", required = true)]
     out: Option<PathBuf>,
@@ -51,10 +51,10 @@ pub(super) struct StudyArgs {
     /// Subject from whose surface the template is made; default: the subject of median volume
     #[arg(long, value_name = "ID", conflicts_with = "template")]
     start: Option<String>,
-    /// Most subjects from which the template is made, spread over the table; 0: all
+    /// Maximum number of subjects from which the template is made, spread over the table; 0: all
     #[arg(long, value_name = "N", default_value_t = MadeTemplate::default().subjects, conflicts_with = "template")]
     template_subjects: usize,
-    /// Most rounds of matching and averaging
+    /// Maximum number of rounds of matching and averaging
     #[arg(long, value_name = "N", default_value_t = MadeTemplate::default().max_rounds, conflicts_with = "template")]
     template_rounds: usize,
     /// Covariate whose effect is tested: the difference between its levels, or its slope
@@ -71,17 +71,18 @@ pub(super) struct StudyArgs {
     /// be repeated
     #[arg(long, value_name = "NAME=SUM")]
     contrast: Vec<String>,
-    /// Measure to test at every vertex; may be repeated; default: all
+    /// Measure to test at every vertex: normal_displacement (mm), log_area (no unit), thickness (mm); may be repeated;
+    /// default: all. p-values are not corrected over measures
     #[arg(long, value_name = "MEASURE", value_delimiter = ',', value_parser = PossibleValuesParser::new(Measure::ALL.map(Measure::name)))]
     measure: Vec<String>,
     /// Permutations of each test
     #[arg(long, value_name = "N", default_value_t = Analysis::default().permutations, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..=1_000_000))]
     permutations: usize,
-    /// Take size out of shape: subjects are scaled to one size
+    /// Scale all subjects to one size, which removes global atrophy; to correct for head size, adjust for a covariate
     #[arg(long)]
     without_size: bool,
-    /// Origin of the maps: each subject's own match with the template, or these matches revised together under a model
-    /// of the group
+    /// How correspondence is found: by each subject's own match with the template (pairs), or by these matches revised
+    /// together under a model of the group (joint)
     #[arg(long, value_name = "pairs|joint", default_value = Correspondence::ALL[0].name(), value_parser = PossibleValuesParser::new(Correspondence::ALL.map(Correspondence::name)))]
     correspondence: String,
     /// Number of subjects among which the consistency of maps is measured, at three matches each; 0: not measured
@@ -312,7 +313,7 @@ fn summary(found: &Findings) -> String {
     for map in found.statistics.iter().flat_map(|statistics| &statistics.maps) {
         let p = map.p_corrected().iter().copied().fold(1.0, f64::min);
         let contrast = found.statistics.as_ref().map_or("", |s| s.design.contrasts[map.contrast].name.as_str());
-        let word = if map.mixed.is_some() { "q (FDR)" } else { "p (corrected)" };
+        let word = if map.mixed.is_some() { "q (FDR)" } else { "p (corrected over vertices)" };
         lines.push(format!("{contrast}, {}: smallest {word} {p:.4}", map.measure.name()));
     }
     lines.join("\n")

@@ -185,7 +185,7 @@ pub(crate) struct JobLinks {
     /// The source moved rigidly onto the target, if it has succeeded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) aligned: Option<String>,
-    /// The source bent onto the target, if it has succeeded.
+    /// The source deformed onto the target, if it has succeeded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) warped: Option<String>,
     /// A page about its result, for browsers, if it has succeeded.
@@ -259,7 +259,7 @@ pub(crate) struct ResultLinks {
     pub(crate) trace: String,
     /// The source surface moved rigidly onto the target: PLY, VTK, VTP, GIFTI or STL.
     pub(crate) aligned: String,
-    /// The source surface bent onto the target, with the deformation at each vertex; also as a table.
+    /// The source surface deformed onto the target, with the deformation at each vertex; also as a table.
     pub(crate) warped: String,
     /// A page with the verdict, both surfaces and all numbers, for browsers.
     pub(crate) report: String,

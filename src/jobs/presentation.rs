@@ -33,7 +33,7 @@ pub enum ResultPart {
     TargetSurface,
     /// The source surface moved rigidly onto the target.
     Aligned,
-    /// One surface bent onto the other, with the deformation at each vertex.
+    /// One surface deformed onto the other, with the deformation at each vertex.
     Warped {
         /// Which is bent.
         direction: WarpDirection,

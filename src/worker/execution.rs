@@ -370,7 +370,7 @@ async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2],
         Err(error) if is_transient(&error) && parts.store.release_job(lease).await.is_ok() => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the result could not be stored");
             sleep(AFTER_OUTAGE).await;
-            "given back"
+            "not stored"
         }
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the job's end could not be stored");

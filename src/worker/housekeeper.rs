@@ -114,7 +114,8 @@ impl Housekeeper {
         if let ClockState::Jumped { by_ms } = state {
             tracing::error!(
                 by_s = by_ms / 1000,
-                "the clock has jumped since the last time that was seen: nothing is removed and no deadline counts until it is                  right again, or until `homolog purge --trust-clock` says that it is"
+                "the clock has jumped: the database's clock differs by by_s seconds from the last time that was stored: nothing is removed and no deadline counts. \
+                 Correct the clock or, if it is right, run `homolog purge --trust-clock`"
             );
         }
         Ok(state == ClockState::Plausible)

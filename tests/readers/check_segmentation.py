@@ -20,7 +20,7 @@ found, grid, image = highdicom.seg.segread(warped), pydicom.dcmread(target), nib
 for name in ("PatientName", "PatientID", "StudyInstanceUID", "FrameOfReferenceUID"):
     assert getattr(found, name) == getattr(grid, name), name
 assert found.SeriesInstanceUID != grid.SeriesInstanceUID
-assert [d.segment_label for d in map(found.get_segment_description, found.segment_numbers)] == ["source bent onto target"]
+assert [d.segment_label for d in map(found.get_segment_description, found.segment_numbers)] == ["source deformed onto target"]
 mine = found.get_volume(combine_segments=True)
 between = np.linalg.inv(np.diag([-1, -1, 1, 1]) @ image.affine) @ mine.affine
 assert abs(abs(np.linalg.det(between)) - 1) < 1e-4, between

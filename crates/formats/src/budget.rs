@@ -1,7 +1,7 @@
 //! Memory budget for reading a file. Every list that grows with the content of a file is charged here before it grows,
 //! so a small file takes little memory, whatever it states and whatever it inflates to.
 //!
-//! The limit, which `tests/memory.rs` measures: while a file is read, at most [`BYTES_PER_BYTE`] bytes are held for
+//! The limit, which `tests/formats/memory.rs` measures: while a file is read, at most [`BYTES_PER_BYTE`] bytes are held for
 //! each received byte, plus [`BYTES_ALWAYS`], plus four times the voxels that a header declares, at four bytes each, or
 //! more if they are stored as more. Label maps of mostly background compress a thousand times, so they count by their
 //! declared size, not by the received bytes; [`super::ReadLimits::max_inflated_bytes`] bounds that size.

@@ -124,7 +124,7 @@ pub fn write_segmentation(
         (0x0062_0001, b"CS", "BINARY"),
         (0x0062_0013, b"CS", "NO"),
         (0x0070_0080, b"CS", "SEGMENTATION"),
-        (0x0070_0081, b"LO", "Surface bent onto another"),
+        (0x0070_0081, b"LO", "Surface deformed onto another"),
         (0x0070_0084, b"PN", ""),
     ];
     for (tag, representation, value) in texts {

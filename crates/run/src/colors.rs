@@ -35,7 +35,7 @@ pub struct Colors {
 }
 
 impl Colors {
-    /// `rigid` and `bent` are the source, moved rigidly onto the target and bent onto it.
+    /// `rigid` and `bent` are the source, moved rigidly onto the target and deformed onto it.
     pub fn new(pairs: &Correspondences, rigid: &SurfaceMesh, bent: &SurfaceMesh, target: &SurfaceMesh) -> Self {
         let n = rigid.n_vertices();
         let (mut confidence, mut residual) = (vec![None; n], vec![None; n]);

@@ -90,7 +90,7 @@ impl RunOutput {
         self.source.moved(&self.document.transform.matrix)
     }
 
-    /// One surface bent onto the other, in the space of the other; see [`warp`].
+    /// One surface deformed onto the other, in the space of the other; see [`warp`].
     ///
     /// # Errors
     /// [`WarpError`].

@@ -1,4 +1,4 @@
-//! One surface bent onto the other: its vertices at their corresponding points, with measures of the deformation at
+//! One surface deformed onto the other: its vertices at their corresponding points, with measures of the deformation at
 //! each vertex.
 
 use homolog_contract::result::{Correspondences, OutlierReason, WarpDirection, WarpSpace};
@@ -20,12 +20,12 @@ pub fn lta(target_from_source: &[[f64; 4]; 4], files: [&[u8]; 2]) -> String {
 /// The name of the segment that holds a bent surface.
 pub fn segment_label(direction: WarpDirection) -> &'static str {
     match direction {
-        WarpDirection::Forward => "source bent onto target",
-        WarpDirection::Inverse => "target bent onto source",
+        WarpDirection::Forward => "source deformed onto target",
+        WarpDirection::Inverse => "target deformed onto source",
     }
 }
 
-/// A surface bent onto the other.
+/// A surface deformed onto the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WarpedSurface {
     /// The faces and the numbering of the bent surface. If the transform mirrors, each face is reversed, so that all

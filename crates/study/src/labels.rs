@@ -75,7 +75,7 @@ pub fn voted<'a>(votes: impl Iterator<Item = &'a [Option<u32>]>, n_vertices: usi
 }
 
 /// The volume with the labels of a surface: every voxel with one of `labels` gets the label of the nearest point of the
-/// surface; other voxels get 0. `bent` is the template bent onto the subject, `of_vertex` its labels.
+/// surface; other voxels get 0. `bent` is the template deformed onto the subject, `of_vertex` its labels.
 ///
 /// # Errors
 /// [`Cancelled`].

@@ -38,8 +38,8 @@ pub fn measured(
     })
 }
 
-/// The radius of the largest ball inside a closed surface that touches it at each vertex, mm: the distance to the
-/// medial axis along the normal.
+/// Local thickness of a closed surface at each vertex, mm: diameter of the largest ball inside that touches the vertex, which
+/// is twice the distance to the medial axis along the normal.
 ///
 /// A ball that touches at the vertex and is too large is cut by the surface nearest to its center. The ball through
 /// that point is smaller; this is repeated to a precision of a hundredth, starting with half the diagonal. Bumps beside
@@ -79,7 +79,7 @@ pub fn thickness(mesh: &SurfaceMesh, observer: &dyn Observer) -> Result<Vec<f64>
             }
             radius = smaller;
         }
-        radius
+        2.0 * radius
     };
     let each = mesh.vertex_normals().into_iter().enumerate().map(|(v, normal)| {
         checkpoint(observer)?;
@@ -103,13 +103,13 @@ mod tests {
         let of = |measure| measured(measure, &mean, &grown, &Silent).unwrap().unwrap();
         assert!(of(Measure::NormalDisplacement).iter().all(|d| (d - 1.0).abs() < 0.01));
         assert!(of(Measure::LogArea).iter().all(|a| (a - 2.0 * 1.2f64.ln()).abs() < 1e-9));
-        assert!(of(Measure::Thickness).iter().all(|r| (r - 6.0).abs() < 0.1));
+        assert!(of(Measure::Thickness).iter().all(|d| (d - 12.0).abs() < 0.2));
     }
 
     #[test]
     fn the_ball_in_a_torus_is_its_tube_and_an_open_surface_has_no_thickness() {
         let mesh = torus(10.0, 3.0, 60, 30, FaceArity::Triangle);
-        assert!(thickness(&mesh, &Silent).unwrap().iter().all(|r| (r - 3.0).abs() < 0.15));
+        assert!(thickness(&mesh, &Silent).unwrap().iter().all(|d| (d - 6.0).abs() < 0.3));
         let open =
             SurfaceMesh::new(mesh.vertices().to_vec(), FaceArity::Triangle, mesh.indices()[3..].to_vec()).unwrap();
         assert_eq!(measured(Measure::Thickness, &mesh, &open, &Silent).unwrap(), None);

@@ -66,7 +66,7 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let table = sum(&[times(&[n, SUBJECT]), times(&[size.cells, CELL])]);
     // The template as read, as matched, as written, and in the findings; the mean; weights, areas, normals, the graph.
     let surfaces = times(&[12, surface]) + 300 * v;
-    // Per thread: a record and its points, the surface bent onto a subject, and its index of closest points.
+    // Per thread: a record and its points, the surface deformed onto a subject, and its index of closest points.
     let of_threads = times(&[t, SCRATCH + 120 * v + 3 * surface + 160 * f + times(&[6, volume_bytes(size)])]);
     let held = sum(&[records, table, surfaces]);
 

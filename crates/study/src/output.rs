@@ -168,7 +168,7 @@ fn real(name: &'static str, values: Vec<f64>) -> VertexArray {
     VertexArray { name, values: VertexValues::Real(values) }
 }
 
-/// The template bent onto every subject, and label volumes.
+/// The template deformed onto every subject, and label volumes.
 fn surfaces(
     study: &Study,
     found: &Findings,

@@ -2,7 +2,7 @@
 //!
 //! Nothing depends on a price but whether a computation is accepted and what is said about its duration. The constants were
 //! measured on a core of an AMD EPYC at 2.0 GHz that other processes shared, with a release build, on one thread, on bent ellipsoids of
-//! 162 to 10,242 vertices and studies of 4 to 400 subjects; `tests/price.rs` compares prices with measured processor times. What depends on the shapes of the surfaces
+//! 162 to 10,242 vertices and studies of 4 to 400 subjects; `tests/study/price.rs` compares prices with measured processor times. What depends on the shapes of the surfaces
 //! is not known, and iterations, sweeps and trials are counted as if all that are allowed were needed. A default match of surfaces that are bent against each other takes several times
 //! as long as one of surfaces that are not.
 

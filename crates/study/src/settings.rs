@@ -115,7 +115,7 @@ pub enum Measure {
     NormalDisplacement,
     /// Logarithm of the ratio of the area around the vertex to that of the mean.
     LogArea,
-    /// Radius of the largest ball inside the surface that touches it at the vertex, mm.
+    /// Diameter of the largest ball inside the surface that touches it at the vertex, mm.
     Thickness,
 }
 
@@ -137,7 +137,7 @@ impl Measure {
         match self {
             Measure::NormalDisplacement => "displacement along the outward normal, mm",
             Measure::LogArea => "logarithm of the local area over that of the mean",
-            Measure::Thickness => "radius of the largest inner ball that touches, mm",
+            Measure::Thickness => "local thickness, mm",
         }
     }
 }

@@ -139,7 +139,7 @@ fn match_over_http(
 const DOWNLOADS: [(&str, &str, &str, &str); 7] = [
     ("report.html", "report", "html", "a page with the verdict and both surfaces to turn: any browser"),
     ("aligned.ply", "aligned", "ply", "the source moved rigidly: MeshLab, Blender, ParaView, 3D Slicer"),
-    ("warped.vtp", "warped", "vtp", "the source bent onto the target, with arrays: ParaView, 3D Slicer"),
+    ("warped.vtp", "warped", "vtp", "the source deformed onto the target, with arrays: ParaView, 3D Slicer"),
     ("warped.surf.gii", "warped", "gifti", "the same: Connectome Workbench, FreeSurfer's freeview, nibabel"),
     ("correspondences.csv", "correspondences", "csv", "a row for each source vertex: R, pandas, spreadsheets"),
     ("transform.tfm", "transform", "tfm", "the rigid transform: 3D Slicer, ITK-SNAP, ANTs"),

@@ -6,7 +6,7 @@ use homolog_laboratory::phantom::{DEFAULT_EDGE_MM, PairRecipe, PhantomPair};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-/// Errors of an answer, in one paragraph. `source` is the matched source, `warped` the source bent onto the target.
+/// Errors of an answer, in one paragraph. `source` is the matched source, `warped` the source deformed onto the target.
 ///
 /// The answer maps points of the true source surface; their images are compared with the phantom's.
 ///

@@ -68,13 +68,13 @@ pub(crate) async fn volume(mut call: Call) -> Result<Response, Problem> {
 /// Get the aligned source surface
 ///
 /// The source surface moved onto the target by the rigid transform alone, in the formats of the matched surfaces: its shape
-/// is unchanged. The source bent onto the target is `/warped`.
+/// is unchanged. The source deformed onto the target is `/warped`.
 #[utoipa::path(get, path = "/v1/jobs/{id}/aligned", responses((status = 200, description = "The surface, mm")))]
 pub(crate) async fn aligned(call: Call) -> Result<Response, Problem> {
     answer(call, ResultPart::Aligned).await
 }
 
-/// Get the source bent onto the target
+/// Get the source deformed onto the target
 ///
 /// Every vertex of the source at its corresponding point on the target, with the faces of the source: the same vertex index
 /// is the same anatomical place in every source that was matched to one target and bent with `direction=inverse`, and in the
@@ -95,7 +95,7 @@ pub(crate) async fn aligned(call: Call) -> Result<Response, Problem> {
     get, path = "/v1/jobs/{id}/warped",
     params(
         ("format" = Option<String>, Query, description = "`ply`, `vtk`, `vtp`, `gifti`, `stl` or `glb`, or one of the tables and `dicom`; takes precedence over `Accept`; PLY if neither is given"),
-        ("direction" = Option<String>, Query, description = "`forward` (default): the source is bent onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
+        ("direction" = Option<String>, Query, description = "`forward` (default): the source is deformed onto the target; `inverse`: the target onto the source, if the job had `both_directions`"),
         ("space" = Option<String>, Query, description = "Coordinates of the answer, `target` or `source`; by default those of the surface onto which the other is bent. In the other space the same shape is moved rigidly. `aligned` is another name for `target`: the space of `/aligned`"),
     ),
     responses(

@@ -14,12 +14,13 @@ use super::migrations::{POSTGRES, SQLITE, migrator};
 use crate::jobs::JobError;
 use crate::store::private_files;
 use crate::store::space::Space;
+use sqlx::migrate::MigrateError;
 use sqlx::pool::PoolConnection;
 use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow};
 use sqlx::sqlite::{
     SqliteConnectOptions, SqliteJournalMode, SqlitePool, SqlitePoolOptions, SqliteRow, SqliteSynchronous,
 };
-use sqlx::{AssertSqlSafe, ColumnIndex, Postgres, Row as _, Sqlite};
+use sqlx::{AssertSqlSafe, ColumnIndex, ConnectOptions as _, Connection as _, Postgres, Row as _, Sqlite};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
@@ -86,6 +87,9 @@ impl Database {
             DatabaseLocation::Folder(folder) => open_sqlite(folder).await,
             DatabaseLocation::Postgres { url, max_connections, notify } => {
                 let options = PgConnectOptions::from_str(url).map_err(domain_error)?.application_name("homolog");
+                // The pool reports only that it found no connection in time; the first one says why.
+                let first = tokio::time::timeout(CONNECT_TIMEOUT, options.connect()).await;
+                first.unwrap_or(Err(sqlx::Error::PoolTimedOut)).map_err(domain_error)?.close().await.map_err(domain_error)?;
                 let pool = PgPoolOptions::new()
                     .max_connections(*max_connections)
                     .acquire_timeout(CONNECT_TIMEOUT)
@@ -97,7 +101,7 @@ impl Database {
                     .connect_with(options)
                     .await
                     .map_err(domain_error)?;
-                migrator(POSTGRES).run(&pool).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
+                migrator(POSTGRES).run(&pool).await.map_err(migration_error)?;
                 Ok(Database::Postgres { pool, notify: *notify, space: Arc::default() })
             }
         }
@@ -268,7 +272,7 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .connect_with(options.clone())
         .await
         .map_err(domain_error)?;
-    migrator(SQLITE).run(&writer).await.map_err(|e| JobError::Unavailable(Box::new(e)))?;
+    migrator(SQLITE).run(&writer).await.map_err(migration_error)?;
     drop(lock);
     let readers = SqlitePoolOptions::new()
         .max_connections(READERS)
@@ -277,6 +281,18 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .await
         .map_err(domain_error)?;
     Ok(Database::Sqlite { writer, readers, space: Arc::default() })
+}
+
+/// A migration that this program does not know is one of a newer release.
+fn migration_error(error: MigrateError) -> JobError {
+    JobError::Unavailable(match error {
+        MigrateError::VersionMissing(version) => format!(
+            "the database has the schema of a newer release (migration {version}); start that release, or restore the backup made \
+             before the upgrade"
+        )
+        .into(),
+        error => Box::new(error),
+    })
 }
 
 /// The right to run migrations: an exclusive lock on a file, released when dropped.

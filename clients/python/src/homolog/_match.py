@@ -126,7 +126,7 @@ class Match:
 
     @cached_property
     def warped(self) -> Mesh:
-        """The source bent onto the target, with the deformation at each vertex."""
+        """The source deformed onto the target, with the deformation at each vertex."""
         return self.mesh("warped")
 
     def mesh(self, name: str) -> Mesh:

@@ -153,7 +153,7 @@ class Answer:
         return matrix
 
     def warped(self):
-        """The source bent onto the target, with the deformation at each point."""
+        """The source deformed onto the target, with the deformation at each point."""
         return from_vtp(self._matcher.file(self.job["id"], "warped.vtp"))
 
     def source(self):

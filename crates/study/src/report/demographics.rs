@@ -6,7 +6,7 @@ use crate::cohort::{Covariate, Values};
 use crate::findings::Findings;
 use crate::plan::Study;
 use homolog_run::page::escaped;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Number of pairs below which sign flips are reported as few: no p below 0.001 is possible.
 const FEW_PAIRS: usize = 11;
@@ -166,34 +166,40 @@ pub(super) fn degrees(study: &Study, found: &Findings) -> String {
     {
         html.push_str(&format!(
             "<p class=\"warning\"><strong>Few permutations are possible:</strong> {n} subjects can be arranged in {possible:.0} ways \
-             that differ in the effect, so that no corrected p can be below {:.3}, however many are drawn.</p>\n",
+             that differ in |t|, so that no corrected p can be below {:.3}, however many are drawn.</p>\n",
             1.0 / possible
         ));
     }
     html
 }
 
-/// Number of ways to distribute the values of a covariate over subjects: `n! / Π mᵢ!` for values that occur `mᵢ` times.
+/// Number of ways to distribute the values of a covariate over subjects that differ in the |t| of its effect: `n! / Π mᵢ!` for
+/// values that occur `mᵢ` times, and half of that if the values are symmetric about their mean (two groups of equal size, ages at
+/// equal distances), because the mirrored arrangement has the same |t|.
 fn arrangements(rows: &[usize], values: &Values) -> f64 {
-    let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
-    let mut n = 0;
-    for &k in rows {
-        let value = match values {
-            Values::Numbers(of) => of[k].map(f64::to_bits),
-            Values::Factor { of, .. } => of[k].map(|level| level as u64),
-        };
-        if let Some(value) = value {
-            *counts.entry(value).or_default() += 1;
-            n += 1;
+    let mut found: Vec<f64> = match values {
+        Values::Numbers(of) => rows.iter().filter_map(|&k| of[k]).collect(),
+        Values::Factor { of, .. } => rows.iter().filter_map(|&k| of[k]).map(|level| level as f64).collect(),
+    };
+    found.sort_by(f64::total_cmp);
+    let groups: Vec<&[f64]> = found.chunk_by(|a, b| a == b).collect();
+    let symmetric = match values {
+        // Exchanging two of several groups also exchanges their effects, which are tested one by one.
+        Values::Factor { .. } => groups.len() == 2 && groups[0].len() == groups[1].len(),
+        Values::Numbers(_) => {
+            let ends = found.first().zip(found.last()).map_or(0.0, |(least, most)| least + most);
+            let round_off = 1e-12 * found.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+            groups.len() > 1 && found.iter().zip(found.iter().rev()).all(|(a, b)| (a + b - ends).abs() <= round_off)
         }
-    }
+    };
     // A product of binomial coefficients, which is exact as long as it is small.
-    let mut left = n;
-    counts.into_values().fold(1.0, |all, m| {
-        let chosen = (0..m).fold(1.0, |all, i| all * (left - i) as f64 / (i + 1) as f64);
-        left -= m;
+    let mut left = found.len();
+    let all = groups.iter().fold(1.0, |all, group| {
+        let chosen = (0..group.len()).fold(1.0, |all, i| all * (left - i) as f64 / (i + 1) as f64);
+        left -= group.len();
         all * chosen
-    })
+    });
+    if symmetric { all / 2.0 } else { all }
 }
 
 #[cfg(test)]
@@ -201,14 +207,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn four_subjects_have_six_splits() {
+    fn four_subjects_have_three_splits_that_differ() {
         let factor = |of: &[usize]| Values::Factor {
             levels: vec!["a".to_owned(), "b".to_owned()],
             of: of.iter().map(|k| Some(*k)).collect(),
         };
         let rows: Vec<usize> = (0..4).collect();
-        assert_eq!(arrangements(&rows, &factor(&[0, 0, 1, 1])).round(), 6.0);
-        assert_eq!(arrangements(&rows, &Values::Numbers([1.0, 2.0, 3.0, 4.0].map(Some).to_vec())).round(), 24.0);
+        assert_eq!(arrangements(&rows, &factor(&[0, 0, 1, 1])).round(), 3.0);
+        let numbers = |of: [f64; 4]| arrangements(&rows, &Values::Numbers(of.map(Some).to_vec())).round();
+        assert_eq!([numbers([1.0, 2.0, 3.0, 4.0]), numbers([4.0, 1.0, 2.0, 8.0]), numbers([5.0; 4])], [12.0, 24.0, 1.0]);
         assert_eq!(arrangements(&rows[..3], &factor(&[0, 0, 0, 1])).round(), 1.0);
         assert!(
             arrangements(&(0..400).collect::<Vec<_>>(), &factor(&(0..400).map(|k| k % 2).collect::<Vec<_>>())) > 1e100

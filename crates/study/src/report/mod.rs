@@ -170,7 +170,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
     };
     format!(
         "<h2>Quality control</h2>\n<p class=\"hint\">The most urgent first. Residual: mean distance from the subject's surface to the \
-         template bent onto it. Flipped: share of triangles that the map turns over. Unusual: share of subjects \
+         template deformed onto it. Flipped: share of triangles that the map turns over. Unusual: share of subjects \
          whose shape is at least as unusual to a model of the others. Pictures: displacement from the mean along its normal, red \
          outwards, each in a scale of its own.</p>\n\
          <p class=\"hint screen\">To leave a subject out, or to keep one whose match is not reliable, write its id, dropped or kept, and \

@@ -1,5 +1,4 @@
 //! Answers of methods that fit no smooth field have a verdict: that of the default method, if the two agree.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_contract::result::{ReliabilityDocument, UNRELIABLE_CONFIDENCE, UnreliableReason};

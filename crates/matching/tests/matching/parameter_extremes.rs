@@ -3,7 +3,6 @@
 //!
 //! The bounds are those of `homolog_contract::parameters::BOUNDS`. Parameters that only cost time have a lower maximum
 //! here ([`SHORTER`]).
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_geometry::hierarchy::coarsen;
 use homolog_matching::parameters::{BOUNDS, FeatureKind, resolve};

@@ -1,5 +1,4 @@
 //! Phantoms matched by the preset `thesis`: labels and poses are found, by feedback from a minority of inliers.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_contract::result::Feedback;

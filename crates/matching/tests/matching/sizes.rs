@@ -1,5 +1,4 @@
 //! Surfaces of unlike sizes: of one shape, and a part with the whole.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Landmark, Method, preset};
 use homolog_geometry::curvature::vertex_areas;

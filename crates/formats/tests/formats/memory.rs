@@ -1,13 +1,7 @@
 //! What reading may hold: 64 times what was received and 16 MiB, whatever the format and however it is compressed; beyond that
 //! only four times the voxels that a header declares, that are there and that the limits allow.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-#![allow(unsafe_code, reason = "an allocator that counts can only be written so")]
 
-mod counting;
-#[allow(dead_code, reason = "each test binary uses a part of it")]
-mod samples;
-
-use counting::HELD;
+use crate::counting::HELD;
 use flate2::Compression;
 use flate2::write::{DeflateEncoder, GzEncoder, ZlibEncoder};
 use homolog_formats::{FormatError, ReadLimits, nifti, read, stl};
@@ -271,8 +265,8 @@ fn no_format_has_a_bomb() {
 /// A file of any format in which a part is repeated until it is large, as it is and compressed.
 #[test]
 fn repeated_parts_of_files_of_every_format_cost_little() {
-    let mut samples: Vec<_> = samples::surfaces().into_iter().chain(samples::volumes()).collect();
-    samples.push(("STL", homolog_formats::InputFormat::Stl, stl::write_stl(&samples::surface())));
+    let mut samples: Vec<_> = crate::samples::surfaces().into_iter().chain(crate::samples::volumes()).collect();
+    samples.push(("STL", homolog_formats::InputFormat::Stl, stl::write_stl(&crate::samples::surface())));
     for (name, _, bytes) in samples {
         let is_gzip = bytes.starts_with(&[0x1f, 0x8b]);
         let mut plain = Vec::new();

@@ -1,8 +1,5 @@
 //! A new subject against synthetic Gaussian groups: its p-values are uniform if it comes from the group's population, and
 //! a planted bump is found where it is, and nothing elsewhere.
-#![allow(clippy::unwrap_used, clippy::panic)]
-
-mod population;
 
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::{Method, preset};
@@ -17,7 +14,7 @@ use homolog_study::record::{Facts, Record};
 use homolog_study::score::{NewSubject, SubjectScore, Within, add, score};
 use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice};
 use nalgebra::Point3;
-use population::{DEVIATION_MM, Population, WIDTH_MM, bump, template};
+use crate::population::{DEVIATION_MM, Population, WIDTH_MM, bump, template};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::io;

@@ -1,5 +1,4 @@
 //! Subjects whose files are equal share a match: it is planned, counted and computed once.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;

@@ -1,7 +1,6 @@
 //! The rules of this crate's source tree: no file imports in a circle, and between folders arrows point to lower layers alone.
 //!
 //! A file imports another if a path in it (`use`, or inline) leads there. Test modules are free.
-#![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

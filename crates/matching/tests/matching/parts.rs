@@ -1,5 +1,4 @@
 //! A part of a structure, open where it was cut, and the whole.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_contract::result::UnreliableReason;

@@ -1,5 +1,4 @@
 //! Every kind of vertex feature in an energy: free of the unit of length, the same on any number of threads, and of some use.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{FeatureKind, FeatureParameters, MatchParameters, Method, Precisions, preset};
 use homolog_matching::{SurfaceMesh, energy_model, shapes};

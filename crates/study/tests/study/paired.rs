@@ -1,7 +1,4 @@
 //! Left against right within 60 persons with a known effect: what a study of asymmetry finds, and what its report says.
-#![allow(clippy::unwrap_used, clippy::panic)]
-
-mod population;
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;
@@ -14,7 +11,7 @@ use homolog_study::place::Inputs;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice};
-use population::{Population, WIDTH_MM, bump, template};
+use crate::population::{Population, WIDTH_MM, bump, template};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;

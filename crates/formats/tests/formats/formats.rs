@@ -1,7 +1,4 @@
 //! The same surface and the same label volume in every format, and files that are refused by name.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod samples;
 
 use homolog_formats::{
     FileContent, FormatError, InputFormat, InputSpace, LabelChoice, ReadFile, ReadLimits, ReadOptions, read, read_with,
@@ -10,7 +7,7 @@ use homolog_formats::{
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Point3};
-use samples::{
+use crate::samples::{
     IDENTITY, affine, archive_of, dicom_seg, gifti, gzip, instances, labels, layered_nrrd, surface, surfaces, volumes,
 };
 
@@ -49,7 +46,7 @@ fn one_surface_gives_the_same_mesh_in_every_format() {
 /// Label and position in RAS, in thousandths of a millimeter, of every voxel, in order of position: some formats may only
 /// store the slices in the opposite order.
 fn places(labels: &[u32], affine: &Matrix4<f64>) -> Vec<([i64; 3], u32)> {
-    let [nx, ny, _] = samples::DIMS;
+    let [nx, ny, _] = crate::samples::DIMS;
     let place = |at: usize| {
         let voxel = nalgebra::Vector4::new((at % nx) as f64, (at / nx % ny) as f64, (at / (nx * ny)) as f64, 1.0);
         let p = affine * voxel;
@@ -64,7 +61,7 @@ fn places(labels: &[u32], affine: &Matrix4<f64>) -> Vec<([i64; 3], u32)> {
 fn one_label_volume_is_the_same_in_every_format() {
     for (name, format, bytes) in volumes() {
         let (file, found) = volume(name, &bytes);
-        assert_eq!((file.format, found.dims()), (format, samples::DIMS), "{name}");
+        assert_eq!((file.format, found.dims()), (format, crate::samples::DIMS), "{name}");
         assert_eq!(places(found.labels(), found.affine()), places(&labels(), &affine()), "{name}");
         let is_lps = [InputFormat::Nrrd, InputFormat::MetaImage, InputFormat::DicomSeg].contains(&format);
         assert_eq!(file.notes.iter().any(|note| note.contains("LPS")), is_lps, "{name}: {:?}", file.notes);
@@ -227,7 +224,7 @@ fn the_space_that_a_file_declares_is_reported() {
         assert_eq!(read_file(&bytes, Some(name)).unwrap().space, expected(format, name), "{name}");
     }
     let of = |bytes: &[u8]| read_file(bytes, None).unwrap().space;
-    let mut silent = samples::nifti_2(false);
+    let mut silent = crate::samples::nifti_2(false);
     // Without codes, positions are through the voxel sizes.
     silent[344..352].fill(0);
     for at in [112, 120, 128] {
@@ -272,7 +269,7 @@ fn formats_that_are_known_and_not_read_are_named_with_what_to_do() {
         bytes
     };
     let cifti = {
-        let mut bytes = samples::nifti_2(false);
+        let mut bytes = crate::samples::nifti_2(false);
         bytes[504..508].copy_from_slice(&3006i32.to_le_bytes());
         bytes
     };
@@ -336,7 +333,7 @@ fn both_kinds_of_quads_of_freesurfer_are_split_alike() {
 
 #[test]
 fn a_nifti_2_affine_may_be_that_of_the_qform() {
-    let mut bytes = samples::nifti_2(false);
+    let mut bytes = crate::samples::nifti_2(false);
     bytes[344..352].copy_from_slice(&[1, 0, 0, 0, 0, 0, 0, 0]);
     for (k, size) in [1.0f64, 0.5, 1.25, 2.0].iter().enumerate() {
         bytes[104 + 8 * k..112 + 8 * k].copy_from_slice(&size.to_le_bytes());

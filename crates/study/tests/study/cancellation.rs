@@ -1,5 +1,4 @@
 //! A study that is told to stop stops soon, wherever it is, and keeps what is finished.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;

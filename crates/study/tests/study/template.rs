@@ -4,7 +4,6 @@
 //! Bounds were set before the first run, in mean edges: half of the tolerance of a study would be lost in the grids of such coarse
 //! surfaces, so that two starts may differ by twice the tolerance, and from the known mean by five times. After it, the bodies were made
 //! to differ more: one of the starts had been within a tenth of an edge of the mean.
-#![allow(clippy::unwrap_used)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;

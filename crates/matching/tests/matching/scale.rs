@@ -1,5 +1,4 @@
 //! An answer does not depend on the unit of length: scaling both inputs by a power of two scales it to the bit.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_contract::result::Correspondences;

@@ -1,11 +1,6 @@
 //! Files as programs write them: the fixtures of the repository, and real files of every format.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout)]
 
-#[path = "../../../tests/fixtures/mod.rs"]
-#[allow(dead_code, reason = "each test binary uses a part of it")]
-mod fixtures;
-
-use fixtures::fixture;
+use crate::fixtures::fixture;
 use homolog_formats::{FileContent, FormatError, GzipFault, InputFormat, MeshFile, ReadLimits, read};
 use homolog_mesh::repair::{largest_component, weld};
 use homolog_mesh::topology::{TopologyReport, topology_report};
@@ -95,7 +90,7 @@ fn a_fixture_with_a_flipped_bit_of_its_trailer_is_refused() {
 
 /// Files of other programs and scanners, which are not part of the repository.
 mod real_data {
-    use super::fixtures::{real, real_files};
+    use crate::fixtures::{real, real_files};
     use super::*;
 
     fn bytes(path: &str) -> Vec<u8> {

@@ -1,6 +1,5 @@
 //! Every figure of the statistics beside that of statsmodels or scipy, in `reference/reference.json`, which
 //! `reference/make.py` makes: `python crates/study/tests/reference/make.py crates/study/tests/reference/reference.json`.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use faer::Mat;
 use homolog_primitives::observe::Silent;
@@ -13,7 +12,7 @@ use homolog_study::statistics::permutation::t_of_orders;
 use serde_json::Value;
 
 fn reference() -> Value {
-    serde_json::from_str(include_str!("reference/reference.json")).unwrap()
+    serde_json::from_str(include_str!("../reference/reference.json")).unwrap()
 }
 
 fn numbers(value: &Value) -> Vec<f64> {

@@ -1,5 +1,4 @@
 //! A whole study of small surfaces: what it finds, what it writes, and that nothing depends on threads or is done twice.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;

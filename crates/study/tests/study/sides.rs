@@ -1,5 +1,4 @@
 //! Left and right in one study: subjects of the other side than the template are mirrored, and what is written for them is not.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::{Method, preset};

@@ -6,7 +6,6 @@
 //! relief, which is what shows a displacement along the surface: errors were 0.68 to 0.96 of the rigid ones, and relief
 //! was added. SPHARM-PDM does not use relief (2.46 mm of 1.70 mm), so it is tested on a stretched surface. Functional
 //! maps need not halve the error: a warp is no isometry, and on real warps they leave 0.5 to 0.8 of it.
-#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_matching::{MatchError, MatchOutcome, SurfaceMesh, match_memory_bytes, match_surfaces, shapes};

@@ -1,14 +1,7 @@
 //! Files as other programs write them: every oddity that a format's grammar allows reads as the plain file does, and whatever
 //! contradicts itself is refused with what it states and what it holds.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-#[path = "../../../tests/fixtures/mod.rs"]
-#[allow(dead_code, reason = "each test binary uses a part of it")]
-mod fixtures;
-#[allow(dead_code, reason = "each test binary uses a part of it")]
-mod samples;
-
-use fixtures::fixture;
+use crate::fixtures::fixture;
 use homolog_contract::result::UnreliableReason;
 use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits, ReadOptions, read, read_with};
 use homolog_mesh::SurfaceMesh;
@@ -16,7 +9,7 @@ use homolog_mesh::topology::topology_report;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::Point3;
 use proptest::prelude::*;
-use samples::{gifti, surface, surfaces, volumes};
+use crate::samples::{gifti, surface, surfaces, volumes};
 
 fn file(bytes: &[u8], name: Option<&str>) -> Result<ReadFile, FormatError> {
     read(bytes, name, &ReadLimits::default())
@@ -339,7 +332,7 @@ proptest! {
         // Two neighboring frames, which tell the step of the stack.
         let first: std::collections::BTreeSet<usize> = first.into_iter().chain([3, 4]).collect();
         let kind = ["BINARY", "FRACTIONAL", "LABELMAP"][kind];
-        let plane = samples::DIMS[0] * samples::DIMS[1];
+        let plane = crate::samples::DIMS[0] * crate::samples::DIMS[1];
         let bit = |segment: u16, at: usize| (seed ^ (u64::from(segment) << 40)).wrapping_mul(2 * at as u64 + 0x9e37_79b9_7f4a_7c15) >> 63 == 1;
         let has = |segment: u16, at: usize| [(17, &first), (53, &second)].iter().any(|(s, slices)| *s == segment && slices.contains(&(at / plane)) && bit(segment, at));
         let frames: Vec<(u16, usize)> = if kind == "LABELMAP" {
@@ -347,7 +340,7 @@ proptest! {
         } else {
             first.iter().map(|&slice| (17, slice)).chain(second.iter().map(|&slice| (53, slice))).collect()
         };
-        let bytes = samples::dicom_seg(kind, &frames, |segment, at| match kind {
+        let bytes = crate::samples::dicom_seg(kind, &frames, |segment, at| match kind {
             "BINARY" => has(segment, at).into(),
             "FRACTIONAL" => u16::from(has(segment, at)) * 200,
             // A voxel of both belongs to the second.
@@ -522,7 +515,7 @@ fn volumes_with_other_units_skips_and_axes_of_size_one_are_the_same_volume() {
     let hex: String = voxels.iter().map(|v| format!("{v:02X}")).collect();
     let lines = format!("{plain}\nencoding: hex");
     assert_eq!(of(&lines, hex.as_bytes()).unwrap().content, expected);
-    let packed = samples::gzip(&[b"ab".as_slice(), &voxels].concat());
+    let packed = crate::samples::gzip(&[b"ab".as_slice(), &voxels].concat());
     for skip in ["byte skip: 2", "byte skip: -1"] {
         let lines = format!("{plain}\nencoding: gzip\n{skip}");
         assert_eq!(of(&lines, &packed).unwrap().content, expected, "{skip}");
@@ -567,27 +560,27 @@ fn counts_and_lengths_that_disagree_are_named() {
     assert_eq!(mismatch(piece.as_bytes()), (6, 12));
     let points = text("VTP, ASCII").replacen("NumberOfPoints=\"8\"", "NumberOfPoints=\"4\"", 1);
     assert_eq!(mismatch(points.as_bytes()), (4, 8));
-    let array = String::from_utf8(gifti("GZipBase64Binary", false, false, "INT32", samples::IDENTITY)).unwrap();
+    let array = String::from_utf8(gifti("GZipBase64Binary", false, false, "INT32", crate::samples::IDENTITY)).unwrap();
     assert_eq!(mismatch(array.replacen("Dim0=\"12\"", "Dim0=\"6\"", 1).as_bytes()), (18, 36));
-    let array = String::from_utf8(gifti("ASCII", false, false, "INT32", samples::IDENTITY)).unwrap();
+    let array = String::from_utf8(gifti("ASCII", false, false, "INT32", crate::samples::IDENTITY)).unwrap();
     assert_eq!(mismatch(array.replacen("Dim0=\"12\"", "Dim0=\"6\"", 1).as_bytes()), (18, 36));
     assert_eq!(mismatch(array.replacen("NumberOfDataArrays=\"2\"", "NumberOfDataArrays=\"3\"", 1).as_bytes()), (3, 2));
     // A truncated file of XML is not read up to where it ends.
     let cut = &array.as_bytes()[..array.len() - 4];
     assert!(file(cut, None).is_err());
     // Half of the slices in the header of a volume.
-    let affine = samples::affine();
-    let whole = LabelVolume::new(samples::DIMS, samples::labels(), affine).unwrap();
+    let affine = crate::samples::affine();
+    let whole = LabelVolume::new(crate::samples::DIMS, crate::samples::labels(), affine).unwrap();
     let bytes = homolog_formats::write_nifti(&whole);
     let mut half = bytes.clone();
     half[46..48].copy_from_slice(&1i16.to_le_bytes());
-    for bytes in [half.clone(), samples::gzip(&half)] {
+    for bytes in [half.clone(), crate::samples::gzip(&half)] {
         assert!(matches!(file(&bytes, None), Err(FormatError::Overlong { stated: 12, found: 24, .. })));
     }
     for padding in [vec![0; 512], b"end".to_vec()] {
         let padded = [bytes.clone(), padding].concat();
         assert_eq!(file(&padded, None).unwrap().content, file(&bytes, None).unwrap().content);
-        assert_eq!(file(&samples::gzip(&padded), None).unwrap().content, file(&bytes, None).unwrap().content);
+        assert_eq!(file(&crate::samples::gzip(&padded), None).unwrap().content, file(&bytes, None).unwrap().content);
     }
     let (_, _, mgh) = volumes().into_iter().find(|(name, ..)| *name == "MGH").unwrap();
     let mut half = mgh.clone();

@@ -1,14 +1,6 @@
 //! Damaged files of every format: no reader panics, takes longer than a second (and a second for 30 MB), or allocates much more than it received.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-#![allow(unsafe_code, reason = "an allocator that counts can only be written so")]
 
-mod counting;
-#[path = "../../../tests/fixtures/mod.rs"]
-#[allow(dead_code, reason = "each test binary uses a part of it")]
-mod fixtures;
-mod samples;
-
-use counting::HELD;
+use crate::counting::HELD;
 use homolog_formats::{FormatError, ReadLimits, nifti, read, stl};
 use homolog_mesh::volume::LabelVolume;
 use proptest::prelude::*;
@@ -38,11 +30,11 @@ fn check(name: &str, bytes: &[u8], inflated: usize) {
 }
 
 fn all_samples() -> Vec<(String, Vec<u8>)> {
-    let mut samples: Vec<_> = samples::surfaces().into_iter().chain(samples::volumes()).collect();
-    let volume = LabelVolume::new(samples::DIMS, samples::labels(), samples::affine()).unwrap();
+    let mut samples: Vec<_> = crate::samples::surfaces().into_iter().chain(crate::samples::volumes()).collect();
+    let volume = LabelVolume::new(crate::samples::DIMS, crate::samples::labels(), crate::samples::affine()).unwrap();
     samples.push(("NIfTI-1", homolog_formats::InputFormat::Nifti, nifti::write_nifti(&volume)));
-    samples.push(("STL", homolog_formats::InputFormat::Stl, stl::write_stl(&samples::surface())));
-    samples.push((".seg.nrrd", homolog_formats::InputFormat::Nrrd, samples::layered_nrrd()));
+    samples.push(("STL", homolog_formats::InputFormat::Stl, stl::write_stl(&crate::samples::surface())));
+    samples.push((".seg.nrrd", homolog_formats::InputFormat::Nrrd, crate::samples::layered_nrrd()));
     samples.into_iter().map(|(name, _, bytes)| (name.to_owned(), bytes)).collect()
 }
 
@@ -214,7 +206,7 @@ mod real_data {
     #[test]
     #[ignore = "needs real data (formats)"]
     fn damaged_files_of_other_programs_cost_little_and_panic_nowhere() {
-        let folders: Vec<_> = fixtures::real_files("formats").into_iter().collect();
+        let folders: Vec<_> = crate::fixtures::real_files("formats").into_iter().collect();
         let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
         let mut paths: Vec<_> = files.map(|file| file.unwrap().path()).collect();
         paths.sort();

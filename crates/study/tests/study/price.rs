@@ -1,10 +1,6 @@
 //! What computations are predicted to cost, beside the processor time that they take, at the ends of every count.
 //!
 //! Only ratios of one run are compared: all prices may be wrong by the speed of the machine.
-#![cfg(target_os = "linux")]
-#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout)]
-
-mod making;
 
 use homolog_contract::parameters::resolve;
 use homolog_formats::ply::write_ply;
@@ -14,7 +10,7 @@ use homolog_primitives::observe::Silent;
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{InputFile, run_match};
 use homolog_study::price::{Price, match_price, step_price};
-use making::made;
+use crate::making::made;
 use nalgebra::{Point3, Rotation3, Vector3};
 use serde_json::{Value, json};
 

@@ -1,6 +1,5 @@
 //! Joint maps of a group whose true correspondence is known: nearer to it than the matches, and no worse in anything
 //! else.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;

@@ -1,5 +1,4 @@
 //! Surfaces with symmetries: several poses fit equally well, and the answer says so.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Method, preset};
 use homolog_contract::result::UnreliableReason;

@@ -1,9 +1,4 @@
 //! The committed fixtures equal what the phantoms generate; with `UPDATE_FIXTURES=1` the test rewrites them.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-#[path = "../../../tests/fixtures/mod.rs"]
-#[allow(dead_code, reason = "each test binary uses a part of it")]
-mod fixtures;
 
 use homolog_formats::{FileContent, ReadLimits, read, write_nifti, write_nifti_gz, write_ply, write_stl, write_vtk};
 use homolog_laboratory::phantom::Phantom;
@@ -74,12 +69,12 @@ fn fixtures_are_what_the_phantoms_generate() {
     let files = all();
     if std::env::var_os("UPDATE_FIXTURES").is_some() {
         for (name, bytes) in &files {
-            std::fs::write(fixtures::folder().join(name), bytes).unwrap();
+            std::fs::write(crate::fixtures::folder().join(name), bytes).unwrap();
         }
     }
     let mut n_bytes = 0;
     for (name, bytes) in &files {
-        let committed = fixtures::fixture(name);
+        let committed = crate::fixtures::fixture(name);
         n_bytes += committed.len();
         match (content(&committed), content(bytes)) {
             (FileContent::Labels(committed), FileContent::Labels(made)) => {

@@ -1,5 +1,4 @@
 //! Surfaces that no rigid motion brings close to each other: bent, folded, with limbs moved.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use homolog_contract::parameters::{Bending, Method, preset};
 use homolog_contract::result::{PoseOrigin, UnreliableReason};

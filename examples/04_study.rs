@@ -8,7 +8,7 @@ use homolog_contract::parameters::{Method, preset};
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::find;
 use homolog_study::folder::Folder;
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::plan::Study;
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
@@ -16,7 +16,7 @@ use std::path::Path;
 
 struct Printer;
 
-impl Watcher for Printer {
+impl StudyObserver for Printer {
     fn progress(&self, what: &str, done: usize, of: usize) {
         println!("{what}: {done} of {of}");
     }

@@ -118,7 +118,8 @@ pub fn metrics_text() -> String {
         let longer = [60.0, 120.0, 300.0, 600.0, 1800.0, 3600.0];
         let builder = PrometheusBuilder::new().set_buckets(&buckets).ok()?;
         let job_buckets = [buckets.as_slice(), &longer].concat();
-        let builder = builder.set_buckets_for_metric(Matcher::Full("homolog_job_seconds".to_owned()), &job_buckets).ok()?;
+        let builder =
+            builder.set_buckets_for_metric(Matcher::Full("homolog_job_seconds".to_owned()), &job_buckets).ok()?;
         let recorder = builder.install_recorder().ok();
         describe();
         recorder

@@ -123,7 +123,7 @@ impl Pair<'_> {
         interrupt: &Interrupt,
         title: Option<&str>,
     ) -> Result<(RunOutput, Vec<TimedPoint>), CliError> {
-        let observer = Watcher::new(interrupt.clone(), title);
+        let observer = StudyObserver::new(interrupt.clone(), title);
         let file = |(path, bytes)| InputFile { bytes, name: file_name(path) };
         let outcome = run_match_with(surfaces, file(self.source), file(self.target), parameters, limits, &observer);
         let trace = observer.finish();
@@ -271,18 +271,18 @@ pub(super) struct TimedPoint {
 }
 
 /// Shows progress, records the trace and forwards an interrupt.
-struct Watcher {
+struct StudyObserver {
     started: Instant,
     progress: Progress,
     interrupt: Interrupt,
     trace: Mutex<Vec<TimedPoint>>,
 }
 
-impl Watcher {
+impl StudyObserver {
     fn new(interrupt: Interrupt, title: Option<&str>) -> Self {
         let progress = Progress::new(WithoutTerminal::Silent);
         progress.title(title.unwrap_or_default());
-        Watcher { started: Instant::now(), progress, interrupt, trace: Mutex::default() }
+        StudyObserver { started: Instant::now(), progress, interrupt, trace: Mutex::default() }
     }
 
     fn finish(self) -> Vec<TimedPoint> {
@@ -290,7 +290,7 @@ impl Watcher {
     }
 }
 
-impl Observer for Watcher {
+impl Observer for StudyObserver {
     fn phase(&self, phase: Phase) {
         self.progress.phase(phase.name());
     }

@@ -13,13 +13,14 @@ use clap::{Args, Subcommand};
 use homolog_contract::input::BodySide;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
-use homolog_study::findings::{Findings, Place, find};
+use homolog_study::findings::{Findings, find};
 use homolog_study::folder::{Decision, Folder, read_decisions};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::{StudyDocument, read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use homolog_study::sides::template_side;
+use homolog_study::subjects::SubjectOutcome;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -133,7 +134,7 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     print(&summary(&found))?;
     note(&format!("written to {}, begin with report.html", out.path().display()));
     let (failed, n) =
-        (found.subjects.iter().filter(|subject| subject.place == Place::Failed).count(), found.subjects.len());
+        (found.subjects.iter().filter(|subject| subject.place == SubjectOutcome::Failed).count(), found.subjects.len());
     match failed {
         0 => Ok(()),
         failed => Err(CliError::Failed(format!("{failed} of {n} subjects have no match; quality.csv says why"))),
@@ -331,7 +332,7 @@ impl Display {
     }
 }
 
-impl Watcher for Display {
+impl StudyObserver for Display {
     fn progress(&self, what: &str, done: usize, of: usize) {
         self.progress.phase(what);
         self.progress.fraction(done as f64 / of.max(1) as f64);

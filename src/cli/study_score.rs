@@ -10,7 +10,7 @@ use homolog_contract::parameters::LabelChoice;
 use homolog_study::StudyError;
 use homolog_study::folder::{Folder, read_decisions};
 use homolog_study::plan::Study;
-use homolog_study::score::{NewSubject, ScoreSummary, SubjectScore, Within, add, score};
+use homolog_study::score::{NewSubject, ScoreSummary, Subgroup, SubjectScore, add, score};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -50,7 +50,7 @@ pub(super) struct ScoreArgs {
 /// [`CliError`].
 pub(super) fn run(args: &ScoreArgs) -> Result<(), CliError> {
     let within = args.group.as_ref().map(|text| {
-        Within::read(text).ok_or_else(|| CliError::BadInput(format!("--group {text}: write COVARIATE=LEVEL")))
+        Subgroup::read(text).ok_or_else(|| CliError::BadInput(format!("--group {text}: write COVARIATE=LEVEL")))
     });
     let within = within.transpose()?;
     let document = document(&args.study.join("study.json"))?;

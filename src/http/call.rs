@@ -7,9 +7,9 @@ use super::problem::Problem;
 use super::problem_table::ProblemKind;
 use super::query::QueryString;
 use super::router::{AS_IT_ARRIVES, HttpState, IN_MEMORY};
-use super::shares::{Origin, Taken};
+use super::shares::{Origin, SharePermit};
 use super::submission::{SentFiles, media_type, read_json, read_with_files};
-use super::upload::Tap;
+use super::upload::LimitedBody;
 use crate::jobs::mesh::hash_of_id;
 use crate::jobs::{BatchId, JobId, JobService, SecretKey, StudyId, Tenant};
 use axum::extract::{FromRequestParts, MatchedPath, Path, Request};
@@ -28,7 +28,7 @@ const MAX_PAGE: u32 = 500;
 const MAX_SMALL_BODY: usize = 64 << 10;
 
 /// All that handlers read of a request, except its body. Taking one authorizes the sender.
-pub(crate) struct Call {
+pub(crate) struct AuthorizedRequest {
     pub(super) state: HttpState,
     pub(super) tenant: Tenant,
     pub(super) rights: Rights,
@@ -40,7 +40,7 @@ pub(crate) struct Call {
     path: Vec<String>,
 }
 
-impl FromRequestParts<HttpState> for Call {
+impl FromRequestParts<HttpState> for AuthorizedRequest {
     type Rejection = Response;
 
     async fn from_request_parts(parts: &mut Parts, state: &HttpState) -> Result<Self, Response> {
@@ -53,7 +53,7 @@ impl FromRequestParts<HttpState> for Call {
         let rights = Rights::of(parts, state);
         let Path(path) = Path::from_request_parts(parts, state).await.map_err(IntoResponse::into_response)?;
         let query = QueryString::from_request_parts(parts, state).await.map_err(Problem::into_response)?;
-        Ok(Call {
+        Ok(AuthorizedRequest {
             state: state.clone(),
             tenant,
             rights,
@@ -110,7 +110,7 @@ pub(super) struct PageOf<C, E> {
     pub(super) fields: Fields<E>,
 }
 
-impl Call {
+impl AuthorizedRequest {
     pub(super) fn service(&self) -> &JobService {
         &self.state.service
     }
@@ -166,7 +166,7 @@ impl Call {
     ///
     /// # Errors
     /// `too-many-streams`.
-    pub(super) fn place(&self, wait: Duration) -> Result<[Option<Taken>; 2], Problem> {
+    pub(super) fn place(&self, wait: Duration) -> Result<[Option<SharePermit>; 2], Problem> {
         if wait.is_zero() { Ok([None, None]) } else { self.state.begin_stream(&self.tenant, self.origin) }
     }
 
@@ -174,7 +174,7 @@ impl Call {
     ///
     /// # Errors
     /// `busy` if there is none in time.
-    pub(super) async fn memory(&self, n: usize) -> Result<Taken, Problem> {
+    pub(super) async fn memory(&self, n: usize) -> Result<SharePermit, Problem> {
         self.state.answer_memory(&self.tenant, self.origin, n).await
     }
 
@@ -182,7 +182,7 @@ impl Call {
     ///
     /// # Errors
     /// `busy` if no slot becomes free in time.
-    pub(super) async fn begin_reading(&self, tap: &Tap) -> Result<(), Problem> {
+    pub(super) async fn begin_reading(&self, tap: &LimitedBody) -> Result<(), Problem> {
         self.state.begin_reading(tap, &self.tenant, self.origin, IN_MEMORY).await
     }
 
@@ -190,7 +190,7 @@ impl Call {
     ///
     /// # Errors
     /// `busy` if no slot becomes free in time.
-    pub(super) async fn begin_storing(&self, tap: &Tap) -> Result<(), Problem> {
+    pub(super) async fn begin_storing(&self, tap: &LimitedBody) -> Result<(), Problem> {
         self.state.begin_reading(tap, &self.tenant, self.origin, AS_IT_ARRIVES).await
     }
 
@@ -210,7 +210,7 @@ impl Call {
     pub(super) async fn document<T: DeserializeOwned>(
         &self,
         request: Request,
-        tap: &Tap,
+        tap: &LimitedBody,
     ) -> Result<(T, SentFiles), Problem> {
         self.begin_reading(tap).await?;
         self.in_time(read_with_files(request, tap, &self.state.limits)).await
@@ -221,7 +221,7 @@ impl Call {
     /// # Errors
     /// `invalid-query`, a limit, or a fault of the body.
     pub(super) async fn small_json<T: DeserializeOwned>(&mut self, request: Request) -> Result<T, Problem> {
-        let (request, tap) = Tap::on(request, MAX_SMALL_BODY);
+        let (request, tap) = LimitedBody::on(request, MAX_SMALL_BODY);
         let read = async {
             self.query.finish()?;
             if media_type(&request) != "application/json" {

@@ -1,11 +1,11 @@
 //! Content that should not be held in memory as a whole: streamed from the store, or counted while it is sent; and byte
 //! ranges of content (RFC 9110, section 14).
 
-use super::call::Call;
+use super::call::AuthorizedRequest;
 use super::conditional::{is_fresh, not_modified, respond};
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
-use super::shares::Taken;
+use super::shares::SharePermit;
 use crate::jobs::{BlobStream, JobError};
 use axum::body::{Body, HttpBody};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
@@ -24,11 +24,11 @@ const PIECE: usize = 256 << 10;
 /// An answer in memory, whose memory is counted until its last piece is taken.
 pub(super) struct Counted {
     rest: Bytes,
-    _memory: Taken,
+    _memory: SharePermit,
 }
 
 impl Counted {
-    pub(super) fn new(bytes: Bytes, memory: Taken) -> Self {
+    pub(super) fn new(bytes: Bytes, memory: SharePermit) -> Self {
         Counted { rest: bytes, _memory: memory }
     }
 }
@@ -72,7 +72,7 @@ impl Stored<'_> {
     /// Those of `open`.
     pub(super) async fn answer<O>(
         &self,
-        call: &Call,
+        call: &AuthorizedRequest,
         open: impl FnOnce(Option<Range<u64>>) -> O,
     ) -> Result<Response, Problem>
     where

@@ -19,7 +19,7 @@ use super::routes::{batches, events, jobs, keys, meshes, webhooks};
 use super::strict_json::parse;
 use super::submission::{self, SubmissionDocument};
 use super::tokens::{KeySetSource, TokenSettings, Tokens};
-use super::upload::Tap;
+use super::upload::LimitedBody;
 use crate::jobs::job::Cursor;
 use crate::jobs::{Retentions, SecretKey, SubmissionLimits};
 use axum::body::Body;
@@ -121,7 +121,7 @@ pub fn form(bytes: &[u8]) {
         cores: 1,
     };
     let read = at_once(async {
-        let (request, tap) = Tap::on(request, limits.max_body_bytes());
+        let (request, tap) = LimitedBody::on(request, limits.max_body_bytes());
         tap.settle(submission::read(request, &tap, &limits, &accepted)).await
     });
     if let Err(problem) = read {

@@ -6,14 +6,14 @@
 //! answer makes one request a second. Members outside both parts, such as the estimated remaining time, are in the body
 //! but do not count as a change.
 
-use super::call::{Call, ResourceId};
+use super::call::{AuthorizedRequest, ResourceId};
 use super::conditional::{not_modified, with_etag};
 use super::content::Counted;
 use super::fields::Fields;
 use super::problem::Problem;
 use super::query::QueryString;
 use super::router::HttpState;
-use super::shares::Taken;
+use super::shares::SharePermit;
 use crate::jobs::Scope;
 use crate::jobs::follow::Feed;
 use async_trait::async_trait;
@@ -121,7 +121,7 @@ pub(super) struct Snapshot {
     /// Whether the resource is final; waiting for a change would be pointless.
     pub(super) is_final: bool,
     /// Memory that the answer takes until it is sent, if that is counted.
-    pub(super) memory: Option<Taken>,
+    pub(super) memory: Option<SharePermit>,
 }
 
 /// A resource that can be waited for.
@@ -142,7 +142,7 @@ pub(super) trait Resource: Sync {
 
 /// A resource of a call that can be waited for, and the members that the client asks for.
 pub(super) struct Watched<I, E> {
-    pub(super) call: Call,
+    pub(super) call: AuthorizedRequest,
     pub(super) id: I,
     pub(super) fields: Fields<E>,
 }
@@ -150,7 +150,7 @@ pub(super) struct Watched<I, E> {
 /// Answers 200 with the resource in the path, or 304 where the client has this version; with `?wait=`, when it has changed, or
 /// when the wait is over. `fields` reads which members are asked for.
 pub(super) async fn watch<I: ResourceId, E>(
-    mut call: Call,
+    mut call: AuthorizedRequest,
     fields: impl FnOnce(&mut QueryString) -> Fields<E>,
 ) -> Result<Response, Problem>
 where
@@ -168,7 +168,7 @@ async fn answer<I, E>(wait: Duration, resource: &Watched<I, E>) -> Result<Respon
 where
     Watched<I, E>: Resource,
 {
-    let Call { state, headers, rights, .. } = &resource.call;
+    let AuthorizedRequest { state, headers, rights, .. } = &resource.call;
     let asked = Instant::now();
     let first = resource.look().await?;
     let known = Known::of(headers, &first.version);

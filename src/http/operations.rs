@@ -11,7 +11,7 @@
 //! ```
 //!
 //! `name` is the `operationId` and the action in the audit log. The scope is `Read`, `Submit`, `Admin` or `Open` (no key). A
-//! handler that takes a [`super::call::Call`] is called only if the sender has the scope. Then run `make api`.
+//! handler that takes a [`super::call::AuthorizedRequest`] is called only if the sender has the scope. Then run `make api`.
 
 use super::openapi::document;
 use super::parts::Part::{self, *};

@@ -1,7 +1,7 @@
 //! Representations of results: `?format=` chooses the format, otherwise `Accept`; each format has its own ETag.
 
 use super::accept::preferred;
-use super::call::Call;
+use super::call::AuthorizedRequest;
 use super::compression::{Gains, gains};
 use super::conditional::{is_fresh, not_modified, respond};
 use super::content::{Counted, Stored};
@@ -60,7 +60,7 @@ struct Chosen {
 }
 
 /// Answers a part of the result of the job in the path, in the requested format.
-pub(super) async fn answer(mut call: Call, part: ResultPart) -> Result<Response, Problem> {
+pub(super) async fn answer(mut call: AuthorizedRequest, part: ResultPart) -> Result<Response, Problem> {
     let id = call.id()?;
     let uids = given_uids(part, &mut call.query);
     let Some(format) = choose(part, &mut call)? else {
@@ -76,7 +76,7 @@ pub(super) async fn answer(mut call: Call, part: ResultPart) -> Result<Response,
 
 /// Answers a part of a job's result in this format, as bytes to save.
 pub(super) async fn answer_file(
-    call: &Call,
+    call: &AuthorizedRequest,
     id: JobId,
     (part, format, uids): (ResultPart, PartFormat, GivenUids),
 ) -> Result<Response, Problem> {
@@ -90,7 +90,7 @@ pub(super) async fn answer_file(
 /// The content of a part in this format. It is streamed if it is stored in this format; otherwise it is converted in
 /// memory, which is counted until the answer is sent.
 async fn content(
-    call: &Call,
+    call: &AuthorizedRequest,
     id: JobId,
     Chosen { part, format, uids, content_type }: Chosen,
 ) -> Result<Response, Problem> {
@@ -135,7 +135,7 @@ pub(super) fn given_uids(part: ResultPart, query: &mut QueryString) -> GivenUids
 ///
 /// # Errors
 /// `invalid-query`.
-fn choose(part: ResultPart, call: &mut Call) -> Result<Option<PartFormat>, Problem> {
+fn choose(part: ResultPart, call: &mut AuthorizedRequest) -> Result<Option<PartFormat>, Problem> {
     let formats = part.formats();
     let words: Vec<_> = formats.iter().map(|&format| (format.name(), format)).collect();
     let asked = call.query.word("format", &words);

@@ -13,9 +13,9 @@ use super::problem::{Problem, begin_to_count};
 use super::problem_table::ProblemKind;
 use super::rate::RequestRate;
 use super::routes;
-use super::shares::{Origin, Shares, Taken, owner};
+use super::shares::{Origin, SharePermit, Shares, owner};
 use super::tokens::Tokens;
-use super::upload::{Reading, Tap};
+use super::upload::{LimitedBody, Reading};
 use crate::jobs::{JobService, Tenant};
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
@@ -188,7 +188,7 @@ impl HttpState {
     /// `busy` if no slot becomes free in time.
     pub(super) async fn begin_reading(
         &self,
-        tap: &Tap,
+        tap: &LimitedBody,
         tenant: &Tenant,
         origin: Origin,
         factor: u64,
@@ -207,7 +207,11 @@ impl HttpState {
     ///
     /// # Errors
     /// `too-many-streams`.
-    pub(super) fn begin_stream(&self, tenant: &Tenant, Origin(address): Origin) -> Result<[Option<Taken>; 2], Problem> {
+    pub(super) fn begin_stream(
+        &self,
+        tenant: &Tenant,
+        Origin(address): Origin,
+    ) -> Result<[Option<SharePermit>; 2], Problem> {
         let too_many = || {
             let detail = format!("at most {} at the same time", self.limits.max_streams);
             Problem::new(ProblemKind::TooManyStreams).detail(detail).retry_after(5)
@@ -225,7 +229,12 @@ impl HttpState {
     ///
     /// # Errors
     /// `busy` if this tenant does not get the memory in time.
-    pub(super) async fn answer_memory(&self, tenant: &Tenant, origin: Origin, n: usize) -> Result<Taken, Problem> {
+    pub(super) async fn answer_memory(
+        &self,
+        tenant: &Tenant,
+        origin: Origin,
+        n: usize,
+    ) -> Result<SharePermit, Problem> {
         let owner = owner(self.auth, tenant, origin);
         // An answer that is larger than a share takes the whole share.
         let n = (n as u64).min(self.limits.max_answer_memory_bytes.div_ceil(2));

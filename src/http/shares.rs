@@ -47,7 +47,7 @@ pub(super) struct Shares {
 
 /// A part of the stock, which is returned when dropped.
 #[derive(Debug)]
-pub(super) struct Taken {
+pub(super) struct SharePermit {
     shares: Arc<Shares>,
     owner: String,
     n: u64,
@@ -75,12 +75,12 @@ impl Shares {
     }
 
     /// Takes `n` of the stock, if this owner may have so much and it is free.
-    pub(super) fn try_take(self: &Arc<Self>, owner: &str, n: u64) -> Option<Taken> {
-        self.add(owner, n).then(|| Taken { shares: Arc::clone(self), owner: owner.to_owned(), n })
+    pub(super) fn try_take(self: &Arc<Self>, owner: &str, n: u64) -> Option<SharePermit> {
+        self.add(owner, n).then(|| SharePermit { shares: Arc::clone(self), owner: owner.to_owned(), n })
     }
 
     /// Takes `n` of the stock; `None` if this owner cannot have so much within `wait`.
-    pub(super) async fn take(self: &Arc<Self>, owner: &str, n: u64, wait: Duration) -> Option<Taken> {
+    pub(super) async fn take(self: &Arc<Self>, owner: &str, n: u64, wait: Duration) -> Option<SharePermit> {
         let taking = async {
             loop {
                 let returned = self.returned.notified();
@@ -99,7 +99,7 @@ impl Shares {
     }
 }
 
-impl Taken {
+impl SharePermit {
     /// Takes `n` more, if so much is available.
     pub(super) fn grow(&mut self, n: u64) -> bool {
         let grown = self.shares.add(&self.owner, n);
@@ -112,7 +112,7 @@ impl Taken {
     }
 }
 
-impl Drop for Taken {
+impl Drop for SharePermit {
     fn drop(&mut self) {
         let mut taken = self.shares.lock();
         if let Some(own) = taken.get_mut(&self.owner) {

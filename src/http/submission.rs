@@ -6,11 +6,11 @@ use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
 use super::router::{HttpLimits, HttpState};
 use super::strict_json::{FORMER_TAGS, Parameters, SentTags, parse, parse_parameters, tags_of};
-use super::upload::{Tap, name_hint, read_field};
+use super::upload::{LimitedBody, name_hint, read_field};
 use crate::jobs::documents::PartialParameters;
 use crate::jobs::mesh::hash_of_id;
 use crate::jobs::metadata::{ExternalRef, MetadataFault};
-use crate::jobs::{Details, SubmissionLimits, SubmittedFile, SubmittedInput};
+use crate::jobs::{JobOptions, SubmissionLimits, SubmittedFile, SubmittedInput};
 use axum::body::HttpBody as _;
 use axum::extract::multipart::MultipartError;
 use axum::extract::{FromRequest, Multipart};
@@ -106,7 +106,7 @@ pub(crate) struct Request {
     /// Parameters as sent.
     pub(crate) parameters: Value,
     /// The other fields.
-    pub(crate) details: Details,
+    pub(crate) details: JobOptions,
 }
 
 /// Reads a submission in either form.
@@ -115,7 +115,7 @@ pub(crate) struct Request {
 /// A problem: unsupported media type, malformed body, a size limit, or all faults of the fields.
 pub(super) async fn read(
     request: axum::extract::Request,
-    tap: &Tap,
+    tap: &LimitedBody,
     limits: &HttpLimits,
     accepted: &SubmissionLimits,
 ) -> Result<Request, Problem> {
@@ -143,7 +143,7 @@ pub(super) fn media_type(request: &axum::extract::Request) -> String {
 /// A problem: too large, too slow, not JSON, or a fault in a field.
 pub(super) async fn read_json<T: DeserializeOwned>(
     request: axum::extract::Request,
-    tap: &Tap,
+    tap: &LimitedBody,
     limits: &HttpLimits,
     limit: usize,
 ) -> Result<T, Problem> {
@@ -197,7 +197,7 @@ const FILES: &str = "files";
 /// A problem: unsupported media type, malformed body, a size limit, or faults of the fields.
 pub(super) async fn read_with_files<T: DeserializeOwned>(
     request: axum::extract::Request,
-    tap: &Tap,
+    tap: &LimitedBody,
     limits: &HttpLimits,
 ) -> Result<(T, SentFiles), Problem> {
     match media_type(&request).as_str() {
@@ -209,7 +209,7 @@ pub(super) async fn read_with_files<T: DeserializeOwned>(
 
 async fn read_form_with_files<T: DeserializeOwned>(
     request: axum::extract::Request,
-    tap: &Tap,
+    tap: &LimitedBody,
     limits: &HttpLimits,
 ) -> Result<(T, SentFiles), Problem> {
     let refuse = |error: &MultipartError| form_fault(tap, error);
@@ -281,7 +281,7 @@ async fn open_form(request: axum::extract::Request) -> Result<Multipart, Problem
     opened.map_err(|e| Problem::new(ProblemKind::MalformedMultipart).detail(e.body_text()))
 }
 
-fn form_fault(tap: &Tap, error: &MultipartError) -> Problem {
+fn form_fault(tap: &LimitedBody, error: &MultipartError) -> Problem {
     let malformed = || Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text());
     tap.refusal().unwrap_or_else(malformed)
 }
@@ -313,7 +313,7 @@ struct Fields {
     target: Option<SubmittedInput>,
     texts: BTreeSet<String>,
     parameters: Option<Value>,
-    details: Details,
+    details: JobOptions,
     max_run_s: u64,
     max_parameters_bytes: usize,
     parameter_faults: bool,
@@ -329,7 +329,7 @@ impl Fields {
     async fn read_form(
         &mut self,
         request: axum::extract::Request,
-        tap: &Tap,
+        tap: &LimitedBody,
         limits: &HttpLimits,
     ) -> Result<(), Problem> {
         let refuse = |error: &MultipartError| form_fault(tap, error);
@@ -574,7 +574,7 @@ impl Fields {
 ///
 /// # Errors
 /// All their faults.
-pub(super) fn check_options(options: SentOptions, state: &HttpState) -> Result<(Value, Details), Problem> {
+pub(super) fn check_options(options: SentOptions, state: &HttpState) -> Result<(Value, JobOptions), Problem> {
     let mut fields = Fields::under(&state.limits, state.service.limits());
     fields.take_options(options);
     if !fields.faults.is_empty() {

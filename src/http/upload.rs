@@ -6,7 +6,7 @@
 use super::pace::{LeastRate, Pace};
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
-use super::shares::Taken;
+use super::shares::SharePermit;
 use axum::body::{Body, HttpBody};
 use axum::extract::Request;
 use axum::extract::multipart::{Field, MultipartError};
@@ -26,10 +26,10 @@ const UNCOUNTED: u64 = 1 << 20;
 /// The resources of a body while it is read, and until its submission is stored.
 pub(super) struct Reading {
     /// A slot among the bodies that are read at the same time.
-    pub(super) _slot: Taken,
+    pub(super) _slot: SharePermit,
     /// Memory, which the body takes when it turns out to be a large one: for all of it at once, so that no two bodies wait for
     /// each other.
-    pub(super) memory: Taken,
+    pub(super) memory: SharePermit,
     /// Bytes of memory for each byte of the body; 0 for a body that is stored as it arrives.
     pub(super) factor: u64,
     /// The least rate at which the body arrives.
@@ -40,7 +40,7 @@ pub(super) struct Reading {
 
 /// A request body that can still be drained after its reader has failed.
 #[derive(Clone)]
-pub(crate) struct Tap(Arc<Mutex<Tapped>>);
+pub(crate) struct LimitedBody(Arc<Mutex<Tapped>>);
 
 struct Tapped {
     body: Body,
@@ -65,9 +65,9 @@ enum Refusal {
     NoMemory,
 }
 
-impl Tap {
+impl LimitedBody {
     /// Wraps the body of a request so that at most `limit` bytes of it can be read.
-    pub(crate) fn on(request: Request, limit: usize) -> (Request, Tap) {
+    pub(crate) fn on(request: Request, limit: usize) -> (Request, LimitedBody) {
         let (parts, body) = request.into_parts();
         let tapped = Tapped {
             declared: body.size_hint().exact(),
@@ -81,7 +81,7 @@ impl Tap {
             returned: None,
             refusal: None,
         };
-        let tap = Tap(Arc::new(Mutex::new(tapped)));
+        let tap = LimitedBody(Arc::new(Mutex::new(tapped)));
         (Request::from_parts(parts, Body::new(tap.clone())), tap)
     }
 
@@ -185,7 +185,7 @@ impl Tapped {
     }
 }
 
-impl HttpBody for Tap {
+impl HttpBody for LimitedBody {
     type Data = Bytes;
     type Error = axum::Error;
 

@@ -15,12 +15,12 @@ pub struct Admission {
     /// Retention of a result that is taken from an equal job at submission; forever if `None`.
     pub keep_result: Option<Duration>,
     /// The idempotency key of the submission; what was created is recorded under it in the same transaction.
-    pub once: Option<Once>,
+    pub once: Option<IdempotencyKey>,
 }
 
 /// An idempotency key in use.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Once {
+pub struct IdempotencyKey {
     /// Its owner.
     pub tenant: Tenant,
     /// The key.

@@ -123,13 +123,13 @@ pub trait Computation: Debug + Send + Sync {
 
     /// The same in a process of its own, if the engine has such processes; then this is called in place of
     /// [`Computation::compute`].
-    fn apart(&self) -> Option<&dyn ComputesApart> {
+    fn apart(&self) -> Option<&dyn OutOfProcess> {
         None
     }
 }
 
 /// Computes in a process of its own.
-pub trait ComputesApart: Send + Sync {
+pub trait OutOfProcess: Send + Sync {
     /// Computes the result of [`Computation::compute`], the same bytes. Called on a thread that may wait; returns soon after the
     /// observer asks to stop, and then nothing of the computation runs any more.
     ///

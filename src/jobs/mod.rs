@@ -44,14 +44,14 @@ pub mod uid;
 pub mod uploads;
 pub mod webhook;
 
-pub use admission::{Admission, Made, Once, OnceStatus};
+pub use admission::{Admission, IdempotencyKey, Made, OnceStatus};
 pub use audit::{AuditEvent, AuditHead, AuditRow, AuditStore};
 pub use batch::{Batch, BatchId, BatchPage, NewBatch};
 pub use change::{Change, ChangePage};
 pub use demand::{Demand, SurfaceSize, WaitingJob};
 pub use engine::{
-    Allotted, Computation, ComputeError, ComputeInputs, ComputesApart, Engine, InputBytes, InputRefusal, InputSummary,
-    InputView, ParameterFault, Purpose,
+    Allotted, Computation, ComputeError, ComputeInputs, Engine, InputBytes, InputRefusal, InputSummary, InputView,
+    OutOfProcess, ParameterFault, Purpose,
 };
 pub use error::JobError;
 pub use job::{Failure, Job, JobFilter, JobId, JobInput, JobPage, NewJob, Order, PageRequest, Tenant};
@@ -73,8 +73,8 @@ pub use study_outline::{OutlinedSubject, StudyOutline};
 pub use study_progress::StudyProgression;
 pub use study_score::ScoreSubmission;
 pub use submission::{
-    Accepted, BatchForm, BatchPair, BatchSubmission, Details, Submission, SubmitError, SubmittedFile, SubmittedInput,
-    Validated,
+    Accepted, BatchForm, BatchPair, BatchSubmission, JobOptions, Submission, SubmitError, SubmittedFile,
+    SubmittedInput, Validated,
 };
 pub use ticket::{MAX_TICKETS, TICKET_LASTS, Ticket};
 pub use trace::{NumberedPoint, Progress, TraceChunk, TracePage};

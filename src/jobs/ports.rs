@@ -1,6 +1,6 @@
 //! The ports to storage: jobs with their queue, blobs, and the processes that share them.
 
-use super::admission::{Admission, Once, OnceStatus};
+use super::admission::{Admission, IdempotencyKey, OnceStatus};
 use super::batch::{Batch, BatchId, BatchPage, NewBatch};
 use super::change::ChangePage;
 use super::demand::WaitingJob;
@@ -241,13 +241,13 @@ pub trait JobWriter: Send + Sync {
     async fn insert_batch(&self, batch: &NewBatch, jobs: &[NewJob], admission: &Admission) -> Result<Batch, JobError>;
 
     /// Reserves an idempotency key for `busy_for`, unless a request has used it already.
-    async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError>;
+    async fn begin_once(&self, once: &IdempotencyKey, busy_for: Duration) -> Result<OnceStatus, JobError>;
 
     /// Keeps an idempotency key reserved for `busy_for` from now.
-    async fn extend_once(&self, once: &Once, busy_for: Duration) -> Result<(), JobError>;
+    async fn extend_once(&self, once: &IdempotencyKey, busy_for: Duration) -> Result<(), JobError>;
 
     /// Frees an idempotency key for which nothing was made.
-    async fn give_up_once(&self, once: &Once) -> Result<(), JobError>;
+    async fn give_up_once(&self, once: &IdempotencyKey) -> Result<(), JobError>;
 
     /// Cancels a queued job, or asks the worker of a running one to stop. [`JobError::AlreadyFinal`] for a job that has
     /// ended otherwise.

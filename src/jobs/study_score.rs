@@ -3,14 +3,14 @@
 //! The job matches the subject to the study's template and compares it with the model of the study, as the study stands
 //! when the job runs.
 
-use super::admission::{Made, Once};
+use super::admission::{IdempotencyKey, Made};
 use super::error::JobError;
 use super::job::{Job, JobId, NewJob, Tenant};
 use super::ports::{ArtifactKind, ArtifactRef};
 use super::service::JobService;
 use super::study::{SCORE_METHOD, ScoreQuestions, StudyDefinition, StudyFault, StudyId, StudyState};
 use super::submission::{
-    Accepted, CheckedInput, Details, SubmitError, SubmittedInput, details_value, hash_of, input_value,
+    Accepted, CheckedInput, JobOptions, SubmitError, SubmittedInput, details_value, hash_of, input_value,
 };
 use serde_json::json;
 
@@ -26,7 +26,7 @@ pub struct ScoreSubmission {
     /// What is asked.
     pub asked: ScoreQuestions,
     /// Everything else.
-    pub details: Details,
+    pub details: JobOptions,
     /// The submitter's idempotency key.
     pub idempotency_key: Option<String>,
 }
@@ -53,7 +53,11 @@ impl JobService {
         self.end_once(once.as_ref(), done).await.map(|made| Accepted { made, replayed: false })
     }
 
-    async fn submit_score_once(&self, submission: ScoreSubmission, once: Option<Once>) -> Result<Job, SubmitError> {
+    async fn submit_score_once(
+        &self,
+        submission: ScoreSubmission,
+        once: Option<IdempotencyKey>,
+    ) -> Result<Job, SubmitError> {
         let ScoreSubmission { tenant, study: id, input, asked, details, .. } = submission;
         let study = self.study(&tenant, id).await?;
         if study.purged_at.is_some() {

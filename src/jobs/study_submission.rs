@@ -13,7 +13,7 @@ use super::study::{
 };
 use super::study_progress::read_definition;
 use super::submission::{
-    Accepted, CheckedInput, Details, SubmitError, SubmittedInput, details_value, hash_of, input_value,
+    Accepted, CheckedInput, JobOptions, SubmitError, SubmittedInput, details_value, hash_of, input_value,
 };
 use bytes::Bytes;
 use serde_json::{Value, json};
@@ -42,7 +42,7 @@ pub struct StudySubmission {
     /// Parameters of every match, as requested.
     pub parameters: Value,
     /// Everything else.
-    pub details: Details,
+    pub details: JobOptions,
     /// The submitter's idempotency key.
     pub idempotency_key: Option<String>,
 }
@@ -142,7 +142,7 @@ impl JobService {
     async fn submit_study_once(
         &self,
         submission: StudySubmission,
-        once: Option<super::admission::Once>,
+        once: Option<super::admission::IdempotencyKey>,
     ) -> Result<Study, SubmitError> {
         let StudySubmission { tenant, subjects, template, questions, parameters, details, .. } = submission;
         if subjects.len() > self.limits.max_batch {

@@ -1,6 +1,6 @@
 //! Submissions: a job, a retry, a batch. Each is checked first, then stored, then answered.
 
-use super::admission::{Admission, Made, Once, OnceStatus};
+use super::admission::{Admission, IdempotencyKey, Made, OnceStatus};
 use super::batch::{Batch, BatchId, NewBatch};
 use super::engine::{InputRefusal, InputSummary, ParameterFault, Resolved};
 use super::error::JobError;
@@ -38,14 +38,14 @@ pub struct Submission {
     /// Parameters as requested.
     pub parameters: Value,
     /// Everything else.
-    pub details: Details,
+    pub details: JobOptions,
     /// The submitter's idempotency key.
     pub idempotency_key: Option<String>,
 }
 
 /// What a submission states besides inputs and parameters.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Details {
+pub struct JobOptions {
     /// −100 to 100, higher first.
     pub priority: i32,
     /// Tags of the submitter.
@@ -96,7 +96,7 @@ pub struct BatchSubmission {
     /// Parameters of all of them.
     pub parameters: Value,
     /// Details of all of them; the tags of each pair are added.
-    pub details: Details,
+    pub details: JobOptions,
     /// The submitter's idempotency key.
     pub idempotency_key: Option<String>,
 }
@@ -261,7 +261,7 @@ impl JobService {
         self.end_once(once.as_ref(), done).await.map(|made| Accepted { made, replayed: false })
     }
 
-    async fn submit_once(&self, submission: Submission, once: Option<Once>) -> Result<Job, SubmitError> {
+    async fn submit_once(&self, submission: Submission, once: Option<IdempotencyKey>) -> Result<Job, SubmitError> {
         let Submission { tenant, source, target, parameters, details, .. } = submission;
         let (resolved, source, target) = self.check_all(&tenant, source, target, &parameters).await?;
         let inputs = [source, target];
@@ -340,7 +340,11 @@ impl JobService {
         self.end_once(once.as_ref(), done).await.map(|made| Accepted { made, replayed: false })
     }
 
-    async fn submit_batch_once(&self, submission: BatchSubmission, once: Option<Once>) -> Result<Batch, SubmitError> {
+    async fn submit_batch_once(
+        &self,
+        submission: BatchSubmission,
+        once: Option<IdempotencyKey>,
+    ) -> Result<Batch, SubmitError> {
         let BatchSubmission { tenant, inputs, form, pairs, parameters, details, .. } = submission;
         if pairs.len() > self.limits.max_batch {
             return Err(SubmitError::BatchTooLarge { limit: self.limits.max_batch });
@@ -393,7 +397,7 @@ impl JobService {
             }
             let tags = details.tags.with(&pair.tags);
             let tags = tags.map_err(|fault| SubmitError::Metadata { job: form.job(number), fault })?;
-            let own = Details { tags, external_ref: pair.external_ref.clone(), ..details.clone() };
+            let own = JobOptions { tags, external_ref: pair.external_ref.clone(), ..details.clone() };
             let job = self.new_job(&tenant, &resolved, [source, target], &own);
             jobs.push(NewJob { batch_id: Some(id), ..job });
         }
@@ -480,7 +484,7 @@ impl JobService {
         tenant: &Tenant,
         resolved: &Resolved,
         [source, target]: [&CheckedInput; 2],
-        details: &Details,
+        details: &JobOptions,
     ) -> NewJob {
         let (source, target) = (source.record(), target.record());
         NewJob {
@@ -512,7 +516,7 @@ impl JobService {
         &self,
         job: NewJob,
         inputs: Vec<CheckedInput>,
-        once: Option<Once>,
+        once: Option<IdempotencyKey>,
     ) -> Result<Job, SubmitError> {
         let holder = job.id.to_string();
         let keys: Vec<ArtifactKey> = [&job.source, &job.target]
@@ -562,7 +566,7 @@ impl JobService {
         }
     }
 
-    pub(super) fn admission(&self, tenant: &Tenant, holder: &str, once: Option<Once>) -> Admission {
+    pub(super) fn admission(&self, tenant: &Tenant, holder: &str, once: Option<IdempotencyKey>) -> Admission {
         Admission {
             max_queued: self.limits.max_queued,
             holder: holder.to_owned(),
@@ -571,8 +575,8 @@ impl JobService {
         }
     }
 
-    pub(super) fn once(&self, tenant: &Tenant, name: &str, fingerprint: String) -> Once {
-        Once {
+    pub(super) fn once(&self, tenant: &Tenant, name: &str, fingerprint: String) -> IdempotencyKey {
+        IdempotencyKey {
             tenant: tenant.clone(),
             name: name.to_owned(),
             fingerprint,
@@ -582,7 +586,7 @@ impl JobService {
     }
 
     /// What an earlier request with the key created; `None` if this request is the first.
-    pub(super) async fn begin_once(&self, once: Option<&Once>) -> Result<Option<Made>, SubmitError> {
+    pub(super) async fn begin_once(&self, once: Option<&IdempotencyKey>) -> Result<Option<Made>, SubmitError> {
         let Some(once) = once else { return Ok(None) };
         match self.stores.jobs.begin_once(once, BUSY).await? {
             OnceStatus::Begun => Ok(None),
@@ -593,7 +597,7 @@ impl JobService {
     }
 
     /// Carries out a request and keeps its key reserved meanwhile.
-    pub(super) async fn keeping<T>(&self, once: Option<&Once>, work: impl Future<Output = T>) -> T {
+    pub(super) async fn keeping<T>(&self, once: Option<&IdempotencyKey>, work: impl Future<Output = T>) -> T {
         let Some(once) = once else { return work.await };
         let extending = async {
             loop {
@@ -612,7 +616,7 @@ impl JobService {
     /// Frees the key of a request that failed, so that the request can be corrected and sent again.
     pub(super) async fn end_once<T>(
         &self,
-        once: Option<&Once>,
+        once: Option<&IdempotencyKey>,
         done: Result<T, SubmitError>,
     ) -> Result<T, SubmitError> {
         if let (Err(_), Some(once)) = (&done, once) {
@@ -637,7 +641,7 @@ pub(super) fn hash_of(value: &Value) -> String {
     blake3::hash(value.to_string().as_bytes()).to_hex().to_string()
 }
 
-pub(super) fn details_value(details: &Details) -> Value {
+pub(super) fn details_value(details: &JobOptions) -> Value {
     json!([
         details.priority,
         details.tags,

@@ -25,7 +25,7 @@ use homolog_study::StudyError;
 use homolog_study::cohort::{Cohort, CohortError};
 use homolog_study::findings::find;
 use homolog_study::folder::{Decision, Folder, Verdict, decisions_table, record_name};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::memory::{measures, permutations, step_bytes};
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
@@ -216,7 +216,7 @@ impl Inputs for Uploads {
 /// Tells the observer of a job how a step goes on.
 pub(super) struct Watched<'a>(pub(super) &'a dyn Observer);
 
-impl Watcher for Watched<'_> {
+impl StudyObserver for Watched<'_> {
     fn progress(&self, what: &str, done: usize, of: usize) {
         // Parts of a step, by how long they take: the model, the statistics, and what is written.
         let (from, to) = match what {
@@ -373,7 +373,7 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
 }
 
 /// A study over the files of its material.
-pub(super) struct Opened {
+pub(super) struct OpenedStudy {
     pub(super) study: Study,
     pub(super) folder: Folder,
     pub(super) decisions: Vec<Decision>,
@@ -384,7 +384,11 @@ pub(super) struct Opened {
 ///
 /// # Errors
 /// [`StudyError`].
-pub(super) fn opened(material: &Arc<StudyMaterial>, new: bool, watcher: &dyn Watcher) -> Result<Opened, StudyError> {
+pub(super) fn opened(
+    material: &Arc<StudyMaterial>,
+    new: bool,
+    watcher: &dyn StudyObserver,
+) -> Result<OpenedStudy, StudyError> {
     let definition = &material.definition;
     let (cohort, mut settings) = (cohort(definition)?, settings(definition)?);
     if new {
@@ -421,13 +425,13 @@ pub(super) fn opened(material: &Arc<StudyMaterial>, new: bool, watcher: &dyn Wat
     files.insert("decisions.csv".to_owned(), decisions_table(&decisions).into_bytes());
     let folder = Folder::in_memory(files, Box::new(Uploads { hashes, material: Arc::clone(material) }));
     let study = Study::open(cohort, settings, &[], &folder, watcher)?;
-    Ok(Opened { study, folder, decisions })
+    Ok(OpenedStudy { study, folder, decisions })
 }
 
 /// One step: the plan of what is missing, or the result.
 fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Product>, StudyError> {
     let watcher = Watched(observer);
-    let Opened { mut study, folder, decisions } = opened(material, false, &watcher)?;
+    let OpenedStudy { mut study, folder, decisions } = opened(material, false, &watcher)?;
     match study.advance(&folder, &watcher)? {
         Step::Match { purpose, template, tasks, finished } => {
             planned(&study, &folder, purpose, &template, &tasks, finished)

@@ -3,7 +3,9 @@
 //! The subject is the last of the study's material and has the role `score`. Nothing of the study is stored again.
 
 use super::prediction::predict;
-use super::study_engine::{Opened, Watched, cohort, demand_of, failure, internal_error, no_match, opened, settings};
+use super::study_engine::{
+    OpenedStudy, Watched, cohort, demand_of, failure, internal_error, no_match, opened, settings,
+};
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};
 use crate::jobs::{
@@ -16,10 +18,10 @@ use homolog_primitives::observe::Observer;
 use homolog_run::SurfaceCache;
 use homolog_study::StudyError;
 use homolog_study::folder::record_name;
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Records as _, Step, Task};
 use homolog_study::record::Record;
-use homolog_study::score::{NewSubject, Within, add, check_group, score};
+use homolog_study::score::{NewSubject, Subgroup, add, check_group, score};
 use serde::Deserialize as _;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -63,8 +65,8 @@ impl ScoreStep {
 }
 
 /// The group of a score.
-fn within(asked: &ScoreQuestions) -> Option<Within> {
-    asked.group.clone().map(|(covariate, level)| Within { covariate, level })
+fn within(asked: &ScoreQuestions) -> Option<Subgroup> {
+    asked.group.clone().map(|(covariate, level)| Subgroup { covariate, level })
 }
 
 /// Checks what is asked, but not the file.
@@ -124,7 +126,7 @@ fn scored(
     observer: &dyn Observer,
 ) -> Result<Product, StudyError> {
     let watcher = Watched(observer);
-    let Opened { mut study, folder, decisions } = opened(material, true, &watcher)?;
+    let OpenedStudy { mut study, folder, decisions } = opened(material, true, &watcher)?;
     let k = study.cohort.subjects.len() - 1;
     let surfaces = SurfaceCache::new(0);
     let mut step = study.advance(&folder, &watcher)?;

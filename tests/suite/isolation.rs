@@ -10,8 +10,8 @@ use super::process::{ENDLESS, SLOW, Server, pair};
 use crate::patience::PATIENCE;
 use homolog::jobs::engine::{MethodDescription, Resolved};
 use homolog::jobs::{
-    Computation, ComputeError, ComputeInputs, ComputesApart, Demand, Engine, Failure, InputBytes, InputRefusal,
-    InputSummary, InputView, ParameterFault, SurfaceSize,
+    Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal, InputSummary,
+    InputView, OutOfProcess, ParameterFault, SurfaceSize,
 };
 use homolog::worker::isolation::{IsolatedEngine, IsolationSettings};
 use homolog_formats::ply::write_ply;
@@ -411,7 +411,7 @@ impl Computation for Understated {
         self.0.compute(inputs, observer)
     }
 
-    fn apart(&self) -> Option<&dyn ComputesApart> {
+    fn apart(&self) -> Option<&dyn OutOfProcess> {
         self.0.apart()
     }
 }

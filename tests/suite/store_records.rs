@@ -6,9 +6,9 @@ use homolog::jobs::job::Order;
 use homolog::jobs::metadata::{ExternalRef, Tags};
 use homolog::jobs::{
     Admission, ArtifactKey, ArtifactKind, ArtifactRef, Attempted, BatchId, BlobHolds, DeliveryState, Housekeeping,
-    JobError, JobFilter, JobQueue, JobReader, JobState, JobWriter, KeyStore, Made, MeshStore, NewBatch, NewJob, Once,
-    OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Retentions, Scope, SecretKey, Tenant, TurnLimits,
-    Webhook, WebhookStore, WorkerId,
+    IdempotencyKey, JobError, JobFilter, JobQueue, JobReader, JobState, JobWriter, KeyStore, Made, MeshStore, NewBatch,
+    NewJob, OnceStatus, Outcome, Overdue, PageRequest, Purged, Retention, Retentions, Scope, SecretKey, Tenant,
+    TurnLimits, Webhook, WebhookStore, WorkerId,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -102,7 +102,7 @@ async fn changes_come_in_order_and_none_is_missed(f: Fixture) {
 }
 
 async fn an_idempotency_key_is_used_once(f: Fixture) {
-    let once = |fingerprint: &str| Once {
+    let once = |fingerprint: &str| IdempotencyKey {
         tenant: Tenant::default(),
         name: "key".to_owned(),
         fingerprint: fingerprint.to_owned(),
@@ -115,7 +115,7 @@ async fn an_idempotency_key_is_used_once(f: Fixture) {
     assert_eq!(f.store.begin_once(&once("b"), LONG).await.unwrap(), OnceStatus::OtherRequest);
     f.store.give_up_once(&once("a")).await.unwrap(); // another request's token: no effect
     assert_eq!(f.store.begin_once(&once("a"), LONG).await.unwrap(), OnceStatus::InProgress);
-    let admission = |once: &Once| Admission { once: Some(once.clone()), ..room(10) };
+    let admission = |once: &IdempotencyKey| Admission { once: Some(once.clone()), ..room(10) };
     let made = f.store.insert_job(&new_job(0), &admission(&first)).await.unwrap();
     let again = f.store.begin_once(&once("a"), LONG).await.unwrap();
     assert_eq!(again, OnceStatus::Made(Made::Job(made.id)));
@@ -123,10 +123,10 @@ async fn an_idempotency_key_is_used_once(f: Fixture) {
     assert_eq!(f.store.begin_once(&once("a"), LONG).await.unwrap(), again);
 
     // A request that has lost the key creates nothing.
-    let slow = Once { name: "slow".to_owned(), ..once("a") };
+    let slow = IdempotencyKey { name: "slow".to_owned(), ..once("a") };
     assert_eq!(f.store.begin_once(&slow, Duration::ZERO).await.unwrap(), OnceStatus::Begun);
     tokio::time::sleep(SHORT).await;
-    let quick = Once { name: "slow".to_owned(), ..once("a") };
+    let quick = IdempotencyKey { name: "slow".to_owned(), ..once("a") };
     assert_eq!(f.store.begin_once(&quick, LONG).await.unwrap(), OnceStatus::Begun);
     assert!(f.store.insert_job(&new_job(0), &admission(&slow)).await.is_err());
     f.store.insert_job(&new_job(0), &admission(&quick)).await.unwrap();

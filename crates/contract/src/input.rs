@@ -1,7 +1,7 @@
 //! Reports on an input: its format, its topology, its repairs, and its suitability for matching.
 
 use crate::parameters::Repair;
-use crate::result::UnreliableReason;
+use crate::reason::UnreliableReason;
 use homolog_mesh::topology::TopologyReport;
 
 /// Format of an input file.

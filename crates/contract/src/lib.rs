@@ -3,6 +3,7 @@
 
 pub mod input;
 pub mod parameters;
+pub mod reason;
 pub mod result;
 pub mod study;
 pub mod verdict;

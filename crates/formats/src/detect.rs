@@ -1,11 +1,8 @@
 //! Detects the format of a file by its content. The name decides only where the content does not, and only between
 //! formats without a magic word.
 
-use super::text::without_preamble;
+use super::text::{has_root, without_preamble};
 use super::{FormatError, InputFormat, dicom, freesurfer, metaimage, mgh, mz3, nifti, nrrd, obj, off, stl, unread};
-
-/// Bytes that are searched for the root of an XML document.
-const XML_HEAD_BYTES: usize = 1 << 16;
 
 /// The format of an uncompressed file, and its bytes from where it begins: a byte order mark or blanks may precede
 /// text.
@@ -57,13 +54,6 @@ pub(super) fn by_content(bytes: &[u8]) -> Option<InputFormat> {
         (dicom::is_dicom(bytes), InputFormat::DicomSeg),
     ];
     formats.into_iter().find_map(|(is, format)| is.then_some(format))
-}
-
-/// Whether `bytes` are XML whose root element begins with `root`.
-pub(super) fn has_root(bytes: &[u8], root: &[u8]) -> bool {
-    let bytes = without_preamble(bytes);
-    let head = &bytes[..bytes.len().min(XML_HEAD_BYTES)];
-    head.starts_with(b"<") && head.windows(root.len()).any(|w| w == root)
 }
 
 /// Whether a text begins with a line of numbers, after comments.

@@ -17,6 +17,27 @@ const ITEM: u32 = 0xfffe_e000;
 const ITEM_END: u32 = 0xfffe_e00d;
 const SEQUENCE_END: u32 = 0xfffe_e0dd;
 
+pub(super) const PIXEL_DATA: u32 = 0x7fe0_0010;
+pub(super) const SHARED_GROUPS: u32 = 0x5200_9229;
+pub(super) const FRAME_GROUPS: u32 = 0x5200_9230;
+pub(super) const PIXEL_MEASURES: u32 = 0x0028_9110;
+pub(super) const PLANE_ORIENTATION: u32 = 0x0020_9116;
+pub(super) const PLANE_POSITION: u32 = 0x0020_9113;
+pub(super) const SLIDE_POSITION: u32 = 0x0048_021a;
+pub(super) const SEGMENT_IDENTIFICATION: u32 = 0x0062_000a;
+pub(super) const SEGMENTS: u32 = 0x0062_0002;
+/// Sequences that are read, for files that do not state which values are sequences.
+const SEQUENCES: [u32; 8] = [
+    SHARED_GROUPS,
+    FRAME_GROUPS,
+    PIXEL_MEASURES,
+    PLANE_ORIENTATION,
+    PLANE_POSITION,
+    SLIDE_POSITION,
+    SEGMENT_IDENTIFICATION,
+    SEGMENTS,
+];
+
 pub(super) const SOP_CLASS: u32 = 0x0008_0016;
 pub(super) const SOP_INSTANCE: u32 = 0x0008_0018;
 const TRANSFER_SYNTAX: u32 = 0x0002_0010;
@@ -175,13 +196,13 @@ pub(super) fn read_file<'a>(
     let mut set = DataSet::default();
     let mut has_pixels = false;
     while reader.at < bytes.len() {
-        if has_pixels && reader.peek_tag().is_none_or(|tag| tag <= super::dicom_seg::PIXEL_DATA) {
+        if has_pixels && reader.peek_tag().is_none_or(|tag| tag <= PIXEL_DATA) {
             let rest = &bytes[reader.at..];
             set.n_trailing = if rest.iter().all(|&byte| byte == 0) { 0 } else { rest.len() };
             break;
         }
         let element = reader.element(0)?;
-        has_pixels |= element.tag == super::dicom_seg::PIXEL_DATA;
+        has_pixels |= element.tag == PIXEL_DATA;
         budget.push(&mut set.elements, element)?;
     }
     set.sort(budget)?;
@@ -354,8 +375,8 @@ impl<'a> Reader<'a, '_> {
             // A dictionary would distinguish sequences from other values; the relevant ones are listed below.
             (b"??".as_slice(), self.u32()?)
         };
-        let is_pixels = tag == super::dicom_seg::PIXEL_DATA;
-        let implicit_sequence = !self.explicit && super::dicom_seg::SEQUENCES.contains(&tag);
+        let is_pixels = tag == PIXEL_DATA;
+        let implicit_sequence = !self.explicit && SEQUENCES.contains(&tag);
         if representation == b"SQ" || implicit_sequence || length == UNDEFINED && !is_pixels {
             let explicit = self.explicit;
             // A sequence of unknown representation is encoded without representations.

@@ -8,7 +8,9 @@
 
 use super::budget::Budget;
 use super::dicom::{
-    BITS_ALLOCATED, COLUMNS, DataSet, N_FRAMES, PixelEncoding, ROWS, SOP_CLASS, SOP_INSTANCE, read_file, rle_frame,
+    BITS_ALLOCATED, COLUMNS, DataSet, FRAME_GROUPS, N_FRAMES, PIXEL_DATA, PIXEL_MEASURES, PLANE_ORIENTATION,
+    PLANE_POSITION, PixelEncoding, ROWS, SEGMENT_IDENTIFICATION, SEGMENTS, SHARED_GROUPS, SLIDE_POSITION, SOP_CLASS,
+    SOP_INSTANCE, read_file, rle_frame,
 };
 use super::label_file::{LabelFile, Overlay};
 use super::{FormatError, ReadLimits, ReadOptions, lps};
@@ -16,27 +18,6 @@ use homolog_contract::input::InputSpace;
 use nalgebra::{Matrix4, Vector3};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
-
-pub(super) const PIXEL_DATA: u32 = 0x7fe0_0010;
-const SHARED_GROUPS: u32 = 0x5200_9229;
-const FRAME_GROUPS: u32 = 0x5200_9230;
-const PIXEL_MEASURES: u32 = 0x0028_9110;
-const PLANE_ORIENTATION: u32 = 0x0020_9116;
-const PLANE_POSITION: u32 = 0x0020_9113;
-const SLIDE_POSITION: u32 = 0x0048_021a;
-const SEGMENT_IDENTIFICATION: u32 = 0x0062_000a;
-const SEGMENTS: u32 = 0x0062_0002;
-/// Sequences that are read, for files that do not state which values are sequences.
-pub(super) const SEQUENCES: [u32; 8] = [
-    SHARED_GROUPS,
-    FRAME_GROUPS,
-    PIXEL_MEASURES,
-    PLANE_ORIENTATION,
-    PLANE_POSITION,
-    SLIDE_POSITION,
-    SEGMENT_IDENTIFICATION,
-    SEGMENTS,
-];
 
 /// Bytes held for each frame besides its pixels.
 const FRAME_BYTES: usize = 160;

@@ -45,6 +45,16 @@ pub(super) fn whole<T: std::str::FromStr>(word: &[u8]) -> Option<T> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
+/// Bytes that are searched for the root of an XML document.
+const XML_HEAD_BYTES: usize = 1 << 16;
+
+/// Whether `bytes` are XML whose root element begins with `root`.
+pub(super) fn has_root(bytes: &[u8], root: &[u8]) -> bool {
+    let bytes = without_preamble(bytes);
+    let head = &bytes[..bytes.len().min(XML_HEAD_BYTES)];
+    head.starts_with(b"<") && head.windows(root.len()).any(|w| w == root)
+}
+
 /// The text of a file without a meaningless preamble: a byte order mark of UTF-8, blanks and empty lines.
 pub(super) fn without_preamble(bytes: &[u8]) -> &[u8] {
     let blanks = |bytes: &[u8]| bytes.iter().take_while(|b| is_blank(**b)).count();

@@ -1,8 +1,7 @@
 //! Formats that are recognized but not read: their names, and what to send instead.
 
-use super::detect::has_root;
 use super::freesurfer;
-use super::text::{real, without_preamble, words};
+use super::text::{has_root, real, without_preamble, words};
 
 const LABELS: &str = "convert the label volume to NIfTI (mnc2nii, or mri_convert)";
 const MODEL: &str = "export the surface as PLY, STL or OBJ";

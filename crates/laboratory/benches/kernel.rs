@@ -20,7 +20,7 @@ use common::{pair, peak_mib, with_threads};
 use homolog_geometry::curvature::{ScaleSpace, gaussian_curvature};
 use homolog_mesh::{SurfaceMesh, canonicalize};
 use homolog_mrf::inference::{
-    ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpOptions, Evidence, Product, Update,
+    ActiveModel, ActivePropagation, ActiveSets, BeliefPropagation, BpOptions, Product, UnaryInput, Update,
 };
 use homolog_mrf::{Feature, FeaturePotentials, MrfModel, PairwisePotential, unary_potentials};
 use homolog_primitives::graph::{EdgeGraph, LabelNeighborhoods};
@@ -296,7 +296,7 @@ fn active_labels() {
     println!("| variables x labels | active labels | ms | peak memory of the process, MiB |\n|---|---|---|---|");
     let parts = Parts::new(&surfaces(0.39), 2);
     let potentials = FeaturePotentials::new(std::slice::from_ref(&parts.feature), 2.0, 3.0, 1.0);
-    let evidence = Evidence { unary: &potentials, bias: None };
+    let evidence = UnaryInput { unary: &potentials, bias: None };
     let (n, n_labels) = (parts.variables.n_vertices(), parts.labels.n_labels());
     for active in [64, 128, 256] {
         reset_peak();

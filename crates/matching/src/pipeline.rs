@@ -1,12 +1,12 @@
 //! From two surfaces to an outcome, in four stages. Each is a function from the values of previous stages to an
 //! immutable value:
 //!
-//! 1. [`coarse()`]: the energy of a coarse level, if one is asked for;
-//! 2. [`posed()`]: a rigid transform, from rounds of inference or from registration alone, unless the field searches
+//! 1. [`prepare_problem()`]: the energy of a coarse level, if one is asked for;
+//! 2. [`find_pose()`]: a rigid transform, from rounds of inference or from registration alone, unless the field searches
 //!    for it;
-//! 3. [`displaced()`]: an image of every source vertex, through a smooth displacement field if one is asked for; for
-//!    surfaces of unlike sizes also with the source [`resized()`]; answers without a field get a second opinion;
-//! 4. [`measured()`]: the outcome, with all measures of these images.
+//! 3. [`find_images()`]: an image of every source vertex, through a smooth displacement field if one is asked for; for
+//!    surfaces of unlike sizes also with the source [`with_rescaled_source()`]; answers without a field get a second opinion;
+//! 4. [`build_outcome()`]: the outcome, with all measures of these images.
 
 mod counting;
 pub(crate) mod images;
@@ -16,16 +16,16 @@ mod resized;
 mod second_opinion;
 mod unseen;
 
-use self::images::displaced;
-use self::pose::posed;
-use self::resized::resized;
+use self::images::find_images;
+use self::pose::find_pose;
+use self::resized::with_rescaled_source;
 use self::second_opinion::with_second_opinion;
 use crate::answer::outcome::MatchOutcome;
-use crate::answer::report::measured;
+use crate::answer::report::build_outcome;
 use crate::error::MatchError;
-use crate::poses::posed::Posed;
+use crate::poses::posed::PoseResult;
 use crate::surface::levels::Levels;
-use crate::thesis::coarse::coarse;
+use crate::thesis::coarse::prepare_problem;
 use homolog_contract::parameters::MatchParameters;
 use homolog_mesh::{Numbering, SurfaceMesh};
 use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
@@ -69,23 +69,26 @@ pub fn match_levels(
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {
     observer.phase(Phase::Features);
-    let coarse = coarse(source, target, parameters, observer)?;
-    let posed = posed(&coarse)?;
-    let displaced = displaced(&coarse, &posed)?;
-    let displaced = resized(source, target, parameters, displaced, observer)?;
+    let coarse = prepare_problem(source, target, parameters, observer)?;
+    let posed = find_pose(&coarse)?;
+    let displaced = find_images(&coarse, &posed)?;
+    let displaced = with_rescaled_source(source, target, parameters, displaced, observer)?;
     observer.phase(Phase::Reporting);
     let displaced = with_second_opinion(source, target, parameters, displaced, observer)?;
-    let outcome = measured(&coarse, &posed, &displaced);
+    let outcome = build_outcome(&coarse, &posed, &displaced);
     trace_answer(&outcome, &posed, observer);
     Ok(outcome)
 }
 
 /// The last point of the trace: the energy of the answer, if it has one.
-fn trace_answer(outcome: &MatchOutcome, posed: &Posed<'_>, observer: &dyn Observer) {
+fn trace_answer(outcome: &MatchOutcome, posed: &PoseResult<'_>, observer: &dyn Observer) {
     let Some(energy) = &outcome.energy else { return };
     let round = outcome.rounds.iter().find(|round| round.chosen).map_or(0, |round| round.round);
-    let quantity =
-        if matches!(posed, Posed::Inference { .. }) { Quantity::CurvatureEnergy } else { Quantity::IsometryEnergy };
+    let quantity = if matches!(posed, PoseResult::Inference { .. }) {
+        Quantity::CurvatureEnergy
+    } else {
+        Quantity::IsometryEnergy
+    };
     observer.trace(&TracePoint {
         quantity: Some(quantity),
         chosen: true,

@@ -1,7 +1,7 @@
 //! The boundary of an open surface.
 
 use super::SurfaceMesh;
-use super::topology::DisjointSets;
+use super::elements::DisjointSets;
 
 impl SurfaceMesh {
     /// For every vertex whether it lies on the boundary, that is, on an edge with only one face; `None` for a surface

@@ -5,6 +5,7 @@ mod boundary;
 mod canonical;
 mod closest;
 mod distance;
+mod elements;
 mod geometry;
 mod numbering;
 pub mod orientation;

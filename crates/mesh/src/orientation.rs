@@ -1,6 +1,6 @@
 //! One orientation for all faces of a surface.
 
-use super::topology::EdgeUses;
+use super::elements::EdgeUses;
 use super::{SurfaceMesh, repair};
 
 /// Reverses faces of `mesh` until neighboring faces agree across every edge with two faces. Also returns the number of

@@ -4,7 +4,7 @@
 //! Vertices keep their order, and every repair returns the input index of each kept vertex, so that results can be
 //! given in the numbering of the file. ([`super::tunnels`] closes tunnels.)
 
-use super::topology::vertex_components;
+use super::elements::vertex_components;
 use super::{FaceArity, MeshError, Numbering, SurfaceMesh};
 use nalgebra::Point3;
 use std::collections::hash_map::Entry;

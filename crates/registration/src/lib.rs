@@ -15,6 +15,7 @@ mod same_pose;
 mod similarity;
 mod three_point;
 mod transform;
+mod triple;
 mod two_sided;
 
 pub use absolute_orientation::{OrientationError, absolute_orientation, absolute_orientation_of};
@@ -26,8 +27,9 @@ pub use procrustes::{ProcrustesOptions, ProcrustesReport, procrustes};
 pub use ransac::{RansacMethods, RansacOptions, RansacReport, ransac, ransac_weighted, ransac_with};
 pub use same_pose::{SAME_POSE_ANGLE, SamePose};
 pub use similarity::SimilarityTransform;
-pub use three_point::{MinimalEstimator, TripleError};
+pub use three_point::MinimalEstimator;
 pub use transform::RigidTransform;
+pub use triple::TripleError;
 pub use two_sided::{SurfaceSide, TwoSidedOptions, TwoSidedReport, align_both_ways};
 
 #[cfg(test)]

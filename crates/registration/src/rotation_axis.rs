@@ -11,7 +11,7 @@
 //! Source: the thesis, section 3.4.2 ("critical points", the points that a motion leaves fixed); the formulation by
 //! displacements and the use of the normal are original.
 
-use super::three_point::triangle_normal;
+use super::triple::triangle_normal;
 use super::{RigidTransform, TripleError};
 use nalgebra::{Matrix3, Point3, Rotation3, Unit, Vector3};
 

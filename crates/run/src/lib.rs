@@ -4,6 +4,7 @@ mod colors;
 mod doubts;
 pub mod intake;
 mod mirror;
+mod mirror_plane;
 mod next;
 #[cfg(test)]
 mod numbering_tests;
@@ -18,7 +19,7 @@ mod warped;
 mod whole;
 
 pub use colors::{Colors, value_colors};
-pub use mirror::MirrorPlane;
+pub use mirror_plane::MirrorPlane;
 pub use next::next_step;
 pub use report::{ReportInputs, write_report};
 pub use surfaces::SurfaceCache;

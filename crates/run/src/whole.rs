@@ -9,14 +9,6 @@ use homolog_contract::result::Correspondences;
 use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 
-/// A vertex dropped by simplification, and its place on the simplified surface; all in the numbering of the upload.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Dropped {
-    pub(crate) vertex: u32,
-    pub(crate) triangle: [u32; 3],
-    pub(crate) barycentric: [f64; 3],
-}
-
 /// Converts `pairs` of the simplified surfaces to pairs of the whole surfaces: rows for all vertices, ascending, and
 /// corresponding points on triangles of the whole surface. Returns the same pairs if neither surface was simplified.
 ///

@@ -10,7 +10,7 @@ mod splits;
 use homolog_study::cohort::Role;
 use homolog_study::findings::find;
 use homolog_study::folder::Folder;
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::read_document;
 use homolog_study::plan::Study;
 use homolog_study::settings::{Analysis, Measure};
@@ -19,7 +19,7 @@ use splits::{of_members, shares};
 use std::path::Path;
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().collect();

@@ -167,14 +167,14 @@ fn place(
     sized: bool,
 ) -> Result<Placed, StudyError> {
     let read = points(&shapes.read(shape, 0..mean.len())?);
-    let transform =
-        onto(&read, mean, weights, sized).map_err(|error| StudyError::Alignment { id: shapes.name(shape), error })?;
+    let transform = fit_onto(&read, mean, weights, sized)
+        .map_err(|error| StudyError::Alignment { id: shapes.name(shape), error })?;
     let size = centroid_size(&read, weights);
     Ok((transform, read.iter().map(|p| transform.apply(p)).collect(), size))
 }
 
 /// The transform of one shape onto the mean.
-pub(crate) fn onto(
+pub(crate) fn fit_onto(
     shape: &[Point3<f64>],
     mean: &[Point3<f64>],
     weights: &[f64],

@@ -106,7 +106,7 @@ pub fn consistency(
         let name = file.file_name().and_then(|name| name.to_str());
         match prepare_surface(&bytes, name, &study.input_of(k), &IntakeLimits::default()) {
             // The numbering of the upload, to which records refer; vertices without faces are in no cycle.
-            Ok(prepared) if study.is_mirrored(k) => surfaces.push(crate::sides::mirrored(prepared.uploaded())?),
+            Ok(prepared) if study.is_mirrored(k) => surfaces.push(crate::mirror::mirrored(prepared.uploaded())?),
             Ok(prepared) => surfaces.push(prepared.uploaded().clone()),
             Err(_) => return Ok(None),
         }

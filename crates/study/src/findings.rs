@@ -1,17 +1,17 @@
 //! Computes all findings of a study from matches and decisions.
 
-use crate::align::{Alignment, WatchedShapes, align, centroid_size, onto, points};
+use crate::align::{Alignment, WatchedShapes, align, centroid_size, fit_onto, points};
 use crate::cohort::Role;
 use crate::consistency::{Consistency, consistency};
 use crate::error::StudyError;
 use crate::folder::{Decision, Folder, Verdict};
 use crate::joint::JointFindings;
 use crate::labels::{carried, dice, labels_at, voted};
-use crate::matching::{Interruption, Watcher};
+use crate::matching::{Interruption, StudyObserver};
 use crate::measures::measured;
 use crate::model::ShapeModel;
 use crate::plan::{Matched, Records, Study};
-use crate::quality::{Flag, flags};
+use crate::quality::flags;
 use crate::record::{Facts, Record};
 use crate::settings::{Correspondence, Measure, Size, TemplateChoice};
 use crate::statistics::VertexValues;
@@ -23,6 +23,7 @@ use crate::statistics::multiple::false_discovery;
 use crate::statistics::paired::Pairs;
 use crate::statistics::permutation::{Exchange, PermutationMap, test_by};
 use crate::statistics::tfce::Enhancer;
+use crate::subjects::{SubjectFindings, SubjectOutcome};
 use faer::Mat;
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::{FileContent, ReadLimits};
@@ -59,47 +60,6 @@ pub struct Findings {
     pub consistency: Option<Consistency>,
     /// Labels of the template, and their transfer.
     pub labels: Option<LabelFindings>,
-}
-
-/// Outcome of a subject.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Place {
-    /// Part of the model.
-    Model,
-    /// Compared with the model.
-    Scored,
-    /// Left out by a decision.
-    Dropped,
-    /// Left out because its match is not reliable, and no decision keeps it.
-    Unreliable,
-    /// There is no match.
-    Failed,
-}
-
-/// Findings for one subject.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SubjectFindings {
-    /// Outcome.
-    pub place: Place,
-    /// Facts on its surface and its match.
-    pub facts: Facts,
-    /// Decision, if any.
-    pub decision: Option<Decision>,
-    /// Centroid size of its shape, mm.
-    pub size_mm: f64,
-    /// Scores, mm.
-    pub scores: Vec<f64>,
-    /// Squared Mahalanobis distance from the model of the other subjects.
-    pub distance: Option<f64>,
-    /// The p-value of a shape as unusual, from distances of left-out subjects.
-    pub unusual_p: Option<f64>,
-    /// Reasons to look at the subject.
-    pub flags: Vec<Flag>,
-    /// Urgency of looking at the subject; larger is more urgent.
-    pub urgency: f64,
-    /// Area of each label on the surface, mm², and its volume, mm³, if the input was a volume.
-    pub labels: BTreeMap<u32, (f64, Option<f64>)>,
 }
 
 /// Labels of the template.
@@ -200,7 +160,7 @@ pub fn find(
     matched: &Matched,
     folder: &Folder,
     decisions: &[Decision],
-    watcher: &dyn Watcher,
+    watcher: &dyn StudyObserver,
 ) -> Result<Findings, StudyError> {
     let observer = &Interruption(watcher);
     let (cohort, template) = (&study.cohort, &matched.making.template.mesh);
@@ -211,8 +171,9 @@ pub fn find(
     let keys = |of: &[usize]| of.iter().map(|&k| (matched.keys[k].clone(), cohort.subjects[k].id.clone())).collect();
     let shapes = folder.shapes(keys(&members), template.n_vertices());
     let alignment = align(&WatchedShapes { shapes: &shapes, observer }, template, study.settings.size)?;
-    let others: Vec<usize> =
-        (0..subjects.len()).filter(|&k| !matches!(subjects[k].place, Place::Model | Place::Failed)).collect();
+    let others: Vec<usize> = (0..subjects.len())
+        .filter(|&k| !matches!(subjects[k].place, SubjectOutcome::Model | SubjectOutcome::Failed))
+        .collect();
     let mut frame = alignment.clone();
     for &k in &others {
         checkpoint(observer)?;
@@ -231,14 +192,14 @@ pub fn find(
     }
     for (&k, p) in others.iter().zip(&model.others_p) {
         checkpoint(observer)?;
-        let moved = moved(study, matched, folder, &alignment, k)?;
+        let moved = shape_on_mean(study, matched, folder, &alignment, k)?;
         let (scores, distance) = model.score(&alignment, &moved);
         (subjects[k].scores, subjects[k].distance) = (scores, Some(distance));
         subjects[k].unusual_p = Some(*p);
     }
     let sizes: Vec<(usize, f64)> = (0..subjects.len())
         .into_par_iter()
-        .filter(|&k| subjects[k].place != Place::Failed)
+        .filter(|&k| subjects[k].place != SubjectOutcome::Failed)
         .map(|k| {
             checkpoint(observer)?;
             let record = folder.get(&matched.keys[k])?;
@@ -270,7 +231,7 @@ pub(crate) fn placed(
     matched: &mut Matched,
     folder: &Folder,
     decisions: &[Decision],
-    watcher: &dyn Watcher,
+    watcher: &dyn StudyObserver,
 ) -> Result<Placed, StudyError> {
     let observer = &Interruption(watcher);
     let (cohort, n_vertices) = (&study.cohort, matched.making.template.mesh.n_vertices());
@@ -287,11 +248,11 @@ pub(crate) fn placed(
         let decision = decisions.iter().find(|decision| decision.id == subject.id).cloned();
         let verdict = decision.as_ref().map(|decision| decision.decision);
         let place = match (&facts.error, verdict, facts.reliable, subject.role) {
-            (Some(_), ..) => Place::Failed,
-            (None, Some(Verdict::Dropped), ..) => Place::Dropped,
-            (None, None, Some(false), _) => Place::Unreliable,
-            (None, _, _, Role::Model) => Place::Model,
-            (None, _, _, Role::Score) => Place::Scored,
+            (Some(_), ..) => SubjectOutcome::Failed,
+            (None, Some(Verdict::Dropped), ..) => SubjectOutcome::Dropped,
+            (None, None, Some(false), _) => SubjectOutcome::Unreliable,
+            (None, _, _, Role::Model) => SubjectOutcome::Model,
+            (None, _, _, Role::Score) => SubjectOutcome::Scored,
         };
         subjects.push(SubjectFindings {
             place,
@@ -306,15 +267,15 @@ pub(crate) fn placed(
             labels: BTreeMap::new(),
         });
     }
-    let members: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place == Place::Model).collect();
+    let members: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place == SubjectOutcome::Model).collect();
     if members.len() < 3 {
-        let count = |place: Place| subjects.iter().filter(|subject| subject.place == place).count();
+        let count = |place: SubjectOutcome| subjects.iter().filter(|subject| subject.place == place).count();
         let left_out = || {
             format!(
                 "none; {} are left out by a decision, {} because their match is not reliable, and {} are only compared with the model",
-                count(Place::Dropped),
-                count(Place::Unreliable),
-                count(Place::Scored)
+                count(SubjectOutcome::Dropped),
+                count(SubjectOutcome::Unreliable),
+                count(SubjectOutcome::Scored)
             )
         };
         let reason = subjects.iter().find_map(|subject| subject.facts.error.clone()).unwrap_or_else(left_out);
@@ -332,7 +293,7 @@ pub(crate) fn placed(
 }
 
 /// A subject's shape, moved onto the mean.
-pub(crate) fn moved(
+pub(crate) fn shape_on_mean(
     study: &Study,
     matched: &Matched,
     folder: &Folder,
@@ -355,7 +316,7 @@ pub(crate) fn onto_mean(
     let own = record.map(|record| points(&record.points)).unwrap_or_default();
     let sized = study.settings.size == Size::Removed;
     let id = || study.cohort.subjects[k].id.clone();
-    let transform = onto(&own, &alignment.mean, &alignment.weights, sized)
+    let transform = fit_onto(&own, &alignment.mean, &alignment.weights, sized)
         .map_err(|error| StudyError::Alignment { id: id(), error })?;
     Ok((own, transform))
 }
@@ -392,11 +353,11 @@ fn labels(
     observer: &dyn Observer,
 ) -> Result<Option<LabelFindings>, StudyError> {
     let mesh = &matched.making.template.mesh;
-    let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
+    let usable: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != SubjectOutcome::Failed).collect();
     let shape = |k: usize| -> Result<Vec<Point3<f64>>, StudyError> {
         // The labels are in the subject's file.
         let own = folder.get(&matched.keys[k])?.map(|record| points(&record.points)).unwrap_or_default();
-        Ok(crate::sides::in_file(own, study.is_mirrored(k)))
+        Ok(crate::mirror::in_file(own, study.is_mirrored(k)))
     };
     type Voted = (usize, Vec<u32>, Vec<Option<u32>>);
     let votes: Vec<Option<Voted>> = usable
@@ -432,7 +393,7 @@ fn labels(
         None if votes.is_empty() => return Ok(None),
         None => {
             let labels: BTreeSet<u32> = votes.iter().flat_map(|(_, labels, _)| labels.iter().copied()).collect();
-            let members = votes.iter().filter(|(k, ..)| subjects[*k].place == Place::Model);
+            let members = votes.iter().filter(|(k, ..)| subjects[*k].place == SubjectOutcome::Model);
             (labels.into_iter().collect(), voted(members.map(|(_, _, vote)| vote.as_slice()), n))
         }
     };
@@ -490,7 +451,7 @@ fn statistics(
     mean: &SurfaceMesh,
     subjects: &[SubjectFindings],
     members: &[usize],
-    watcher: &dyn Watcher,
+    watcher: &dyn StudyObserver,
 ) -> Result<Option<Statistics>, StudyError> {
     let (analysis, observer) = (&study.settings.analysis, &Interruption(watcher));
     if analysis.effect.is_none() && analysis.contrasts.is_empty() {
@@ -522,7 +483,7 @@ fn statistics(
             .rows
             .par_iter()
             .map(|&k| {
-                let own = mean.with_vertices(moved(study, matched, folder, alignment, k)?)?;
+                let own = mean.with_vertices(shape_on_mean(study, matched, folder, alignment, k)?)?;
                 Ok(measured(measure, mean, &own, observer)?)
             })
             .collect::<Result<_, StudyError>>()?;

@@ -4,8 +4,8 @@
 
 use crate::align::Shapes;
 use crate::error::StudyError;
-use crate::place::{Inputs, Place};
-use crate::plan::{Making, Records, Round, Template, hash};
+use crate::place::{Inputs, Storage};
+use crate::plan::{Records, Round, Template, TemplateHistory, hash};
 use crate::record::{Record, read_points};
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::ReadLimits;
@@ -26,7 +26,7 @@ const PARTS: [&str; 8] = ["", "matches", "matches/joint", "template", "modes", "
 /// A study's folder.
 #[derive(Debug)]
 pub struct Folder {
-    place: Place,
+    place: Storage,
     /// Keys of records that were read completely and are intact.
     sound: Mutex<BTreeSet<String>>,
 }
@@ -85,21 +85,21 @@ impl Folder {
             let part = path.join(part);
             fs::create_dir_all(&part).map_err(failed("write", &part))?;
         }
-        let place = Place::Disk(path.to_owned(), AtomicU64::new(0));
+        let place = Storage::Disk(path.to_owned(), AtomicU64::new(0));
         place.sweep(&PARTS).map_err(|(part, error)| failed("read", &part)(error))?;
         Ok(Folder { place, sound: Mutex::default() })
     }
 
     /// A folder in memory with these files, by name, for subjects whose files are elsewhere.
     pub fn in_memory(files: BTreeMap<String, Vec<u8>>, inputs: Box<dyn Inputs>) -> Self {
-        Folder { place: Place::Memory(Mutex::new(files), inputs), sound: Mutex::default() }
+        Folder { place: Storage::Memory(Mutex::new(files), inputs), sound: Mutex::default() }
     }
 
     /// The files of a folder in memory, by name; empty for a folder on disk.
     pub fn into_files(self) -> BTreeMap<String, Vec<u8>> {
         match self.place {
-            Place::Disk(..) => BTreeMap::new(),
-            Place::Memory(files, _) => files.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner),
+            Storage::Disk(..) => BTreeMap::new(),
+            Storage::Memory(files, _) => files.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner),
         }
     }
 
@@ -170,7 +170,7 @@ impl Folder {
     ///
     /// # Errors
     /// [`StudyError::File`].
-    pub fn keep_template(&self, kept: &Kept, making: &Making) -> Result<(), StudyError> {
+    pub fn keep_template(&self, kept: &Kept, making: &TemplateHistory) -> Result<(), StudyError> {
         self.write("template/template.ply", &making.template.ply)?;
         self.write("template/kept.json", &json(kept))
     }

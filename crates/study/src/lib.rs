@@ -12,6 +12,7 @@ pub mod labels;
 pub mod matching;
 pub mod measures;
 pub mod memory;
+mod mirror;
 pub mod model;
 pub mod normative;
 pub mod output;
@@ -25,5 +26,6 @@ pub mod score;
 pub mod settings;
 pub mod sides;
 pub mod statistics;
+pub mod subjects;
 
 pub use error::StudyError;

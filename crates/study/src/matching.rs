@@ -3,7 +3,7 @@
 use crate::cohort::Cohort;
 use crate::error::StudyError;
 use crate::folder::{Folder, Kept};
-use crate::plan::{Making, Matched, Purpose, Step, Study, Task, Template, hash, input_of, spread, surface};
+use crate::plan::{Matched, Purpose, Step, Study, Task, Template, TemplateHistory, hash, input_of, spread, surface};
 use crate::record::{Record, compute};
 use crate::settings::{Settings, TemplateChoice};
 use homolog_contract::parameters::LabelChoice;
@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const PREPARED_BYTES: u64 = 256 << 20;
 
 /// Receives the progress of a study, from one thread at a time, and may interrupt it.
-pub trait Watcher: Sync {
+pub trait StudyObserver: Sync {
     /// The current activity, and its progress.
     fn progress(&self, what: &str, done: usize, of: usize) {
         let _ = (what, done, of);
@@ -31,7 +31,7 @@ pub trait Watcher: Sync {
 }
 
 /// Passes an interruption on to a computation.
-pub(crate) struct Interruption<'a>(pub(crate) &'a dyn Watcher);
+pub(crate) struct Interruption<'a>(pub(crate) &'a dyn StudyObserver);
 
 impl Observer for Interruption<'_> {
     fn is_cancelled(&self) -> bool {
@@ -56,7 +56,7 @@ impl Study {
         mut settings: Settings,
         hashes: &[String],
         folder: &Folder,
-        watcher: &dyn Watcher,
+        watcher: &dyn StudyObserver,
     ) -> Result<Self, StudyError> {
         let found: Vec<String> =
             cohort.subjects.par_iter().map(|subject| folder.input_hash(&subject.file)).collect::<Result<_, _>>()?;
@@ -96,7 +96,7 @@ impl Study {
             TemplateChoice::Made(how) => {
                 if let Some((kept, template)) = kept {
                     how.from.clone_from(&kept.from);
-                    let making = Making { template: template.clone(), rounds: kept.rounds };
+                    let making = TemplateHistory { template: template.clone(), rounds: kept.rounds };
                     (template, Some(making), Vec::new())
                 } else {
                     let makers = if how.from.is_empty() { spread(&cohort, how.subjects) } else { places(&how.from)? };
@@ -115,7 +115,12 @@ impl Study {
     ///
     /// # Errors
     /// [`StudyError`]; [`StudyError::Interrupted`] if the watcher asked to stop.
-    pub fn match_all(&mut self, folder: &Folder, threads: usize, watcher: &dyn Watcher) -> Result<Matched, StudyError> {
+    pub fn match_all(
+        &mut self,
+        folder: &Folder,
+        threads: usize,
+        watcher: &dyn StudyObserver,
+    ) -> Result<Matched, StudyError> {
         let surfaces = SurfaceCache::new(PREPARED_BYTES);
         loop {
             match self.advance(folder, watcher)? {
@@ -149,7 +154,7 @@ impl Study {
     ///
     /// # Errors
     /// Errors of [`Study::next`], and [`StudyError::File`].
-    pub fn advance(&mut self, folder: &Folder, watcher: &dyn Watcher) -> Result<Step, StudyError> {
+    pub fn advance(&mut self, folder: &Folder, watcher: &dyn StudyObserver) -> Result<Step, StudyError> {
         let observer = Interruption(watcher);
         let step = self.next(folder, &observer)?;
         if self.kept.is_some() {
@@ -159,7 +164,7 @@ impl Study {
             Step::Matched(matched) => matched.making.clone(),
             Step::Match { purpose: Purpose::Template(_), .. } => return Ok(step),
             Step::Match { purpose: Purpose::Subjects, template, .. } => {
-                let given = || Making { template: (**template).clone(), rounds: Vec::new() };
+                let given = || TemplateHistory { template: (**template).clone(), rounds: Vec::new() };
                 self.making(folder, &observer)?.unwrap_or_else(given)
             }
         };
@@ -167,7 +172,7 @@ impl Study {
         Ok(step)
     }
 
-    fn keep_making(&mut self, folder: &Folder, making: &Making) -> Result<(), StudyError> {
+    fn keep_making(&mut self, folder: &Folder, making: &TemplateHistory) -> Result<(), StudyError> {
         let kept = Kept {
             asked: asked(&self.settings),
             hash: making.template.hash.clone(),
@@ -197,7 +202,7 @@ impl Study {
         template: &Template,
         surfaces: &SurfaceCache,
         folder: &Folder,
-        watcher: &dyn Watcher,
+        watcher: &dyn StudyObserver,
     ) -> Result<Record, StudyError> {
         let bytes = |side: Option<usize>| match side {
             None => Ok(None),
@@ -250,7 +255,7 @@ fn start_surface(
     start: Option<usize>,
     makers: &[usize],
     folder: &Folder,
-    watcher: &dyn Watcher,
+    watcher: &dyn StudyObserver,
 ) -> Result<Template, StudyError> {
     let of = |k: usize| {
         checkpoint(&Interruption(watcher))?;
@@ -261,7 +266,7 @@ fn start_surface(
             return Ok(found);
         }
         Ok(found.and_then(|template| {
-            let mirrored = crate::sides::mirrored(&template.mesh).map_err(|error| error.to_string())?;
+            let mirrored = crate::mirror::mirrored(&template.mesh).map_err(|error| error.to_string())?;
             Ok(Template::new(&mirrored))
         }))
     };

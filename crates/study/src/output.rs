@@ -3,14 +3,15 @@
 
 use crate::cohort::{Cohort, Subject, Values};
 use crate::error::StudyError;
-use crate::findings::{Findings, Place, moved, volume_of};
+use crate::findings::{Findings, shape_on_mean, volume_of};
 use crate::folder::{Decision, Folder, decisions_table, json};
 use crate::labels::carried;
-use crate::matching::{Interruption, Watcher};
+use crate::matching::{Interruption, StudyObserver};
 use crate::plan::{Round, Study};
 use crate::quality::most_urgent_first;
-use crate::report::{page, plots};
+use crate::report::{MODE_DEVIATIONS, page, plots, significant_share};
 use crate::settings::{Measure, Settings};
+use crate::subjects::SubjectOutcome;
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::csv_cell::text_cell;
 use homolog_formats::gifti::{write_gifti, write_gifti_shape};
@@ -18,7 +19,6 @@ use homolog_formats::nifti::write_nifti_gz;
 use homolog_formats::parquet::{TableColumn, write_parquet_columns};
 use homolog_formats::vtk::{write_vtk, write_vtk_with};
 use homolog_formats::{VertexArray, VertexValues};
-use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::plot::standalone;
@@ -31,9 +31,6 @@ use std::fmt::Write as _;
 const WRITTEN_MODES: usize = 5;
 /// Number of scores in the tables.
 const WRITTEN_SCORES: usize = 20;
-/// Standard deviations from the mean at which a mode is shown.
-pub(crate) const MODE_DEVIATIONS: f64 = 2.0;
-
 /// `study.json`: the information needed to compute the study again, and its main figures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyDocument {
@@ -86,7 +83,7 @@ pub fn write(
     decisions: &[Decision],
     folder: &Folder,
     commit: &str,
-    watcher: &dyn Watcher,
+    watcher: &dyn StudyObserver,
 ) -> Result<(), StudyError> {
     let observer = &Interruption(watcher);
     watcher.progress("writing", 0, 1);
@@ -178,7 +175,8 @@ fn surfaces(
 ) -> Result<(), StudyError> {
     let folder = written.folder;
     let mesh = &found.matched.making.template.mesh;
-    let usable: Vec<usize> = (0..found.subjects.len()).filter(|&k| found.subjects[k].place != Place::Failed).collect();
+    let usable: Vec<usize> =
+        (0..found.subjects.len()).filter(|&k| found.subjects[k].place != SubjectOutcome::Failed).collect();
     let made: Vec<Vec<String>> = usable
         .par_iter()
         .map(|&k| {
@@ -186,7 +184,8 @@ fn surfaces(
             let id = &study.cohort.subjects[k].id;
             let own = crate::plan::Records::get(folder, &found.matched.keys[k])?;
             let own = crate::align::points(&own.map(|record| record.points).unwrap_or_default());
-            let aligned = found.mean.with_vertices(moved(study, &found.matched, folder, &found.alignment, k)?)?;
+            let aligned =
+                found.mean.with_vertices(shape_on_mean(study, &found.matched, folder, &found.alignment, k)?)?;
             let mut arrays = Vec::new();
             for (measure, name) in
                 [(Measure::NormalDisplacement, "normal_displacement"), (Measure::LogArea, "log_area")]
@@ -195,7 +194,7 @@ fn surfaces(
                 arrays.extend(values.map(|values| real(name, values)));
             }
             arrays.extend(label.cloned());
-            let bent = crate::sides::bent(mesh, own, study.is_mirrored(k))?;
+            let bent = crate::mirror::deformed_template(mesh, own, study.is_mirrored(k))?;
             let mut names = vec![format!("subjects/{id}.surf.gii"), format!("subjects/{id}.vtk")];
             folder.write(&names[0], &write_gifti(&bent, &arrays))?;
             folder.write(&names[1], &write_vtk_with(&bent, &arrays))?;
@@ -269,7 +268,7 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
     let mut columns = vec![
         ("id".to_owned(), text(subjects.iter().map(|subject| subject.id.clone()).collect())),
         ("subject".to_owned(), text(subjects.iter().map(|subject| subject.subject.clone()).collect())),
-        ("place".to_owned(), text(of.iter().map(|s| place_name(s.place).to_owned()).collect())),
+        ("place".to_owned(), text(of.iter().map(|s| s.place.name().to_owned()).collect())),
     ];
     if subjects.iter().any(|subject| subject.labels.is_some()) {
         let labels = |subject: &Subject| {
@@ -290,7 +289,7 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
         };
         columns.push((covariate.name.clone(), column));
     }
-    let matched = |k: usize| (of[k].place != Place::Failed).then_some(&of[k]);
+    let matched = |k: usize| (of[k].place != SubjectOutcome::Failed).then_some(&of[k]);
     columns.push(("volume_mm3".to_owned(), number(&|k| matched(k)?.facts.volume_mm3)));
     columns.push(("area_mm2".to_owned(), number(&|k| Some(matched(k)?.facts.area_mm2))));
     columns.push(("centroid_size_mm".to_owned(), number(&|k| Some(matched(k)?.size_mm))));
@@ -311,17 +310,6 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
         columns.push((format!("score_{}_mm", mode + 1), number(&|k| of[k].scores.get(mode).copied())));
     }
     columns
-}
-
-/// The name of an outcome in tables.
-pub(crate) fn place_name(place: Place) -> &'static str {
-    match place {
-        Place::Model => "model",
-        Place::Scored => "scored",
-        Place::Dropped => "dropped",
-        Place::Unreliable => "unreliable",
-        Place::Failed => "failed",
-    }
 }
 
 fn csv_table(columns: &[(String, TableColumn)]) -> String {
@@ -363,7 +351,8 @@ fn quality_table(study: &Study, found: &Findings) -> String {
         let subject = &found.subjects[k];
         let flags: Vec<&str> = subject.flags.iter().map(|flag| flag.title()).collect();
         let facts = &subject.facts;
-        let matched = |value: f64| if subject.place == Place::Failed { String::new() } else { value.to_string() };
+        let matched =
+            |value: f64| if subject.place == SubjectOutcome::Failed { String::new() } else { value.to_string() };
         let decided = subject.decision.as_ref();
         let word = |decision: &Decision| match decision.decision {
             crate::folder::Verdict::Kept => "kept",
@@ -373,7 +362,7 @@ fn quality_table(study: &Study, found: &Findings) -> String {
             text,
             "{},{},{},{},{},{},{},{},{},{},{},{}",
             text_cell(&study.cohort.subjects[k].id),
-            place_name(subject.place),
+            subject.place.name(),
             text_cell(&flags.join("; ")),
             text_cell(&facts.reasons.join("; ")),
             matched(facts.residual_mm),
@@ -410,15 +399,9 @@ fn effect_table(found: &Findings) -> String {
     text
 }
 
-/// Share of the surface with a corrected p below 0.05.
-pub(crate) fn significant_share(p: &[f64], weights: &[f64]) -> f64 {
-    // An empty sum is a negative zero.
-    p.iter().zip(weights).filter(|(p, _)| **p < 0.05).map(|(_, weight)| weight).sum::<f64>() + 0.0
-}
-
 /// The main figures of `study.json`.
 fn figures(found: &Findings) -> serde_json::Value {
-    let places = |place: Place| found.subjects.iter().filter(|subject| subject.place == place).count();
+    let places = |place: SubjectOutcome| found.subjects.iter().filter(|subject| subject.place == place).count();
     let quality = &found.model.quality;
     let maps: Vec<_> = found
         .statistics
@@ -447,11 +430,11 @@ fn figures(found: &Findings) -> serde_json::Value {
     let planning: Vec<_> = found.statistics.iter().flat_map(|statistics| &statistics.planning).collect();
     serde_json::json!({
         "subjects": {
-            "model": places(Place::Model),
-            "scored": places(Place::Scored),
-            "dropped": places(Place::Dropped),
-            "unreliable": places(Place::Unreliable),
-            "failed": places(Place::Failed),
+            "model": places(SubjectOutcome::Model),
+            "scored": places(SubjectOutcome::Scored),
+            "dropped": places(SubjectOutcome::Dropped),
+            "unreliable": places(SubjectOutcome::Unreliable),
+            "failed": places(SubjectOutcome::Failed),
         },
         "model": {
             "modes": found.model.modes.len(),
@@ -467,9 +450,4 @@ fn figures(found: &Findings) -> serde_json::Value {
         "effects": whole,
         "planning": planning,
     })
-}
-
-/// Faces and positions of a surface for the page.
-pub(crate) fn triangles(mesh: &SurfaceMesh) -> Vec<u8> {
-    mesh.triangles().into_iter().flatten().flat_map(u32::to_le_bytes).collect()
 }

@@ -33,7 +33,7 @@ pub trait Inputs: Debug + Send + Sync {
 
 /// Storage of files.
 #[derive(Debug)]
-pub(crate) enum Place {
+pub(crate) enum Storage {
     /// In a folder; the number of files written makes the names of unfinished ones unique.
     Disk(PathBuf, AtomicU64),
     /// In memory, by name.
@@ -44,20 +44,20 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl Place {
+impl Storage {
     /// The path of a file, for people.
     pub(crate) fn path(&self, name: &str) -> PathBuf {
         match self {
-            Place::Disk(folder, _) => folder.join(name),
-            Place::Memory(..) => PathBuf::from(name),
+            Storage::Disk(folder, _) => folder.join(name),
+            Storage::Memory(..) => PathBuf::from(name),
         }
     }
 
     /// Writes a file as a whole, and the folders above it.
     pub(crate) fn write(&self, name: &str, bytes: &[u8]) -> io::Result<()> {
         let (folder, written) = match self {
-            Place::Disk(folder, written) => (folder, written),
-            Place::Memory(files, _) => {
+            Storage::Disk(folder, written) => (folder, written),
+            Storage::Memory(files, _) => {
                 locked(files).insert(name.to_owned(), bytes.to_vec());
                 return Ok(());
             }
@@ -84,26 +84,26 @@ impl Place {
     /// The content of a file; `None` if it does not exist.
     pub(crate) fn read(&self, name: &str) -> io::Result<Option<Vec<u8>>> {
         match self {
-            Place::Disk(folder, _) => match fs::read(folder.join(name)) {
+            Storage::Disk(folder, _) => match fs::read(folder.join(name)) {
                 Ok(bytes) => Ok(Some(bytes)),
                 Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
                 Err(error) => Err(error),
             },
-            Place::Memory(files, _) => Ok(locked(files).get(name).cloned()),
+            Storage::Memory(files, _) => Ok(locked(files).get(name).cloned()),
         }
     }
 
     /// A part of a file.
     pub(crate) fn read_part(&self, name: &str, part: Range<u64>) -> io::Result<Vec<u8>> {
         match self {
-            Place::Disk(folder, _) => {
+            Storage::Disk(folder, _) => {
                 let mut bytes = vec![0; (part.end - part.start) as usize];
                 let mut file = fs::File::open(folder.join(name))?;
                 file.seek(SeekFrom::Start(part.start))?;
                 file.read_exact(&mut bytes)?;
                 Ok(bytes)
             }
-            Place::Memory(files, _) => {
+            Storage::Memory(files, _) => {
                 let files = locked(files);
                 let file = files.get(name).ok_or(io::ErrorKind::NotFound)?;
                 let found = file.get(part.start as usize..part.end as usize);
@@ -116,15 +116,15 @@ impl Place {
     pub(crate) fn remove(&self, name: &str) {
         match self {
             // A file that cannot be removed is replaced later or harmless.
-            Place::Disk(folder, _) => drop(fs::remove_file(folder.join(name))),
-            Place::Memory(files, _) => drop(locked(files).remove(name)),
+            Storage::Disk(folder, _) => drop(fs::remove_file(folder.join(name))),
+            Storage::Memory(files, _) => drop(locked(files).remove(name)),
         }
     }
 
     /// Removes the files of a subfolder except those with these names.
     pub(crate) fn keep_only(&self, part: &str, names: &BTreeSet<String>) {
         match self {
-            Place::Disk(folder, _) => {
+            Storage::Disk(folder, _) => {
                 for entry in fs::read_dir(folder.join(part)).into_iter().flatten().flatten() {
                     if !names.contains(&*entry.file_name().to_string_lossy()) {
                         // An old output that cannot be removed is harmless.
@@ -132,7 +132,7 @@ impl Place {
                     }
                 }
             }
-            Place::Memory(files, _) => locked(files).retain(|name, _| {
+            Storage::Memory(files, _) => locked(files).retain(|name, _| {
                 let in_part = name.strip_prefix(part).and_then(|rest| rest.strip_prefix('/'));
                 in_part.is_none_or(|name| names.contains(name))
             }),
@@ -144,7 +144,7 @@ impl Place {
     /// # Errors
     /// The subfolder that cannot be read, and the reason.
     pub(crate) fn sweep(&self, parts: &[&str]) -> Result<(), (PathBuf, io::Error)> {
-        let Place::Disk(folder, _) = self else { return Ok(()) };
+        let Storage::Disk(folder, _) = self else { return Ok(()) };
         for part in parts {
             let part = folder.join(part);
             if !part.is_dir() {
@@ -163,16 +163,16 @@ impl Place {
     /// The content of a subject's file.
     pub(crate) fn input(&self, file: &Path) -> io::Result<Vec<u8>> {
         match self {
-            Place::Disk(..) => fs::read(file),
-            Place::Memory(_, inputs) => inputs.read(file),
+            Storage::Disk(..) => fs::read(file),
+            Storage::Memory(_, inputs) => inputs.read(file),
         }
     }
 
     /// The hash of that content.
     pub(crate) fn input_hash(&self, file: &Path) -> io::Result<String> {
         match self {
-            Place::Disk(..) => fs::read(file).map(|bytes| hash(&bytes)),
-            Place::Memory(_, inputs) => inputs.hash(file),
+            Storage::Disk(..) => fs::read(file).map(|bytes| hash(&bytes)),
+            Storage::Memory(_, inputs) => inputs.hash(file),
         }
     }
 }

@@ -42,7 +42,7 @@ impl Template {
 /// A template with the history of its making; kept in the study's folder, so that a subject added later costs one
 /// match.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Making {
+pub struct TemplateHistory {
     /// The template.
     pub template: Template,
     /// The rounds in which it was made.
@@ -113,7 +113,7 @@ pub enum Purpose {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Matched {
     /// The template, and its making.
-    pub making: Making,
+    pub making: TemplateHistory,
     /// Key of the match of the template to each subject.
     pub keys: Vec<String>,
     /// Keys of the matches that measure consistency.
@@ -156,7 +156,7 @@ pub struct Study {
     /// The given template, or the surface from which a template is made.
     pub first: Template,
     /// The template that was made earlier and kept.
-    pub kept: Option<Making>,
+    pub kept: Option<TemplateHistory>,
     /// The subjects from which a template is made, as indices into the cohort.
     pub makers: Vec<usize>,
     /// The subjects used to measure consistency; it is not measured with fewer than 3.
@@ -251,7 +251,7 @@ impl Study {
     /// [`StudyError::Interrupted`].
     pub fn next(&self, records: &dyn Records, observer: &dyn Observer) -> Result<Step, StudyError> {
         let making = match (&self.settings.template, &self.kept) {
-            (TemplateChoice::Given { .. }, _) => Making { template: self.first.clone(), rounds: Vec::new() },
+            (TemplateChoice::Given { .. }, _) => TemplateHistory { template: self.first.clone(), rounds: Vec::new() },
             (TemplateChoice::Made(_), Some(kept)) => kept.clone(),
             (TemplateChoice::Made(how), None) => match self.make(how, records, observer)? {
                 Ok(making) => making,
@@ -274,7 +274,11 @@ impl Study {
     }
 
     /// The template made from the existing records; `None` if matches for it are missing, or if it is given.
-    pub(crate) fn making(&self, records: &dyn Records, observer: &dyn Observer) -> Result<Option<Making>, StudyError> {
+    pub(crate) fn making(
+        &self,
+        records: &dyn Records,
+        observer: &dyn Observer,
+    ) -> Result<Option<TemplateHistory>, StudyError> {
         match &self.settings.template {
             TemplateChoice::Given { .. } => Ok(None),
             TemplateChoice::Made(how) => Ok(self.make(how, records, observer)?.ok()),
@@ -287,7 +291,7 @@ impl Study {
         how: &MadeTemplate,
         records: &dyn Records,
         observer: &dyn Observer,
-    ) -> Result<Result<Making, Step>, StudyError> {
+    ) -> Result<Result<TemplateHistory, Step>, StudyError> {
         let (mut template, mut rounds) = (self.first.clone(), Vec::new());
         while rounds.len() < how.max_rounds.max(1) {
             let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template, None, Some(k))).collect();
@@ -307,7 +311,7 @@ impl Study {
                 break;
             }
         }
-        Ok(Ok(Making { template, rounds }))
+        Ok(Ok(TemplateHistory { template, rounds }))
     }
 
     /// A ring of subjects, spread over the cohort, with the matches around it.
@@ -362,7 +366,7 @@ fn averaged(
     }
     let alignment = align(&WatchedShapes { shapes: &shapes, observer }, &template.mesh, Size::Kept)?;
     let before = template.mesh.vertices();
-    let back = crate::align::onto(&alignment.mean, before, &alignment.weights, false)
+    let back = crate::align::fit_onto(&alignment.mean, before, &alignment.weights, false)
         .map_err(|error| StudyError::Alignment { id: "mean".to_owned(), error })?;
     let mean = alignment.mean.iter().map(|p| back.apply(p)).collect();
     let next = next_template(&template.mesh, mean, observer)?;

@@ -1,39 +1,6 @@
 //! Quality control: the subjects to look at, the most urgent first.
 
-use crate::findings::{Place, SubjectFindings};
-use serde::Serialize;
-
-/// A reason to look at a subject.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Flag {
-    /// It has no match.
-    NoMatch,
-    /// Its match is not reliable.
-    UnreliableMatch,
-    /// The bent template lies farther from its surface than from the surfaces of the others.
-    UnusualResidual,
-    /// The map to it turns over more triangles than the maps to the others.
-    UnusualFolds,
-    /// Its shape is unusual relative to a model of the others.
-    UnusualShape,
-    /// Its size is unusual.
-    UnusualSize,
-}
-
-impl Flag {
-    /// Title for people.
-    pub fn title(self) -> &'static str {
-        match self {
-            Flag::NoMatch => "no match",
-            Flag::UnreliableMatch => "match not reliable",
-            Flag::UnusualResidual => "unusual residual",
-            Flag::UnusualFolds => "unusual folds",
-            Flag::UnusualShape => "unusual shape",
-            Flag::UnusualSize => "unusual size",
-        }
-    }
-}
+use crate::subjects::{Flag, SubjectFindings, SubjectOutcome};
 
 /// Robust deviations from the median beyond which a value is unusual.
 const UNUSUAL: f64 = 3.5;
@@ -67,7 +34,7 @@ fn urgency(deviations: [f64; 4], is_unreliable: bool) -> f64 {
 
 /// Flags every subject, and computes its urgency.
 pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
-    let matched: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != Place::Failed).collect();
+    let matched: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place != SubjectOutcome::Failed).collect();
     let of = |value: &dyn Fn(&SubjectFindings) -> f64| {
         deviations(&matched.iter().map(|&k| value(&subjects[k])).collect::<Vec<_>>())
     };
@@ -93,7 +60,7 @@ pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
         let folds = if is_folded { folds[row] } else { 0.0 };
         subject.urgency = urgency([residual[row], shape[row], size[row].abs(), folds], unreliable);
     }
-    for subject in subjects.iter_mut().filter(|subject| subject.place == Place::Failed) {
+    for subject in subjects.iter_mut().filter(|subject| subject.place == SubjectOutcome::Failed) {
         (subject.flags, subject.urgency) = (vec![Flag::NoMatch], 2.0 * MOST_DEVIATION + 1.0);
     }
 }

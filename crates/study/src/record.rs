@@ -147,7 +147,7 @@ impl Record {
             repairs: input.report.repairs.iter().map(|repair| repair.detail.clone()).collect(),
         };
         let is_mirrored = output.document.provenance.parameters.input.target.mirror;
-        let points = crate::sides::in_file(bent.mesh.vertices().to_vec(), is_mirrored);
+        let points = crate::mirror::in_file(bent.mesh.vertices().to_vec(), is_mirrored);
         let points = points.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
         Record { facts, points }
     }

@@ -7,14 +7,15 @@
 use crate::align::{WatchedShapes, align};
 use crate::cohort::{Cohort, Role, Subject, Values};
 use crate::error::StudyError;
-use crate::findings::{Place, SubjectFindings, moved, onto_mean, placed};
+use crate::findings::{onto_mean, placed, shape_on_mean};
 use crate::folder::{Decision, Folder, json};
-use crate::matching::{Interruption, Watcher};
+use crate::matching::{Interruption, StudyObserver};
 use crate::measures::measured;
 use crate::model::ShapeModel;
 use crate::normative::{Bound, Calibration, LeaveOneOut, Norm, largest};
 use crate::plan::{Matched, Records, Study};
 use crate::settings::{Measure, Settings};
+use crate::subjects::{SubjectFindings, SubjectOutcome};
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::gifti::write_gifti;
@@ -48,19 +49,19 @@ pub struct NewSubject {
 /// Members with one level of a covariate.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Within {
+pub struct Subgroup {
     /// The covariate, a factor.
     pub covariate: String,
     /// Its level.
     pub level: String,
 }
 
-impl Within {
+impl Subgroup {
     /// Reads `COVARIATE=LEVEL`.
     pub fn read(text: &str) -> Option<Self> {
         let (covariate, level) = text.split_once('=')?;
         let is_complete = !covariate.is_empty() && !level.is_empty();
-        is_complete.then(|| Within { covariate: covariate.to_owned(), level: level.to_owned() })
+        is_complete.then(|| Subgroup { covariate: covariate.to_owned(), level: level.to_owned() })
     }
 }
 
@@ -85,7 +86,7 @@ pub struct Region {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScoreSummary {
     /// The group, if it is a part of the study.
-    pub within: Option<Within>,
+    pub within: Option<Subgroup>,
     /// Members of the group.
     pub members: usize,
     /// Whether no reason was found to doubt the match; `None` for methods that do not judge.
@@ -164,13 +165,13 @@ pub fn score(
     matched: &Matched,
     folder: &Folder,
     decisions: &[Decision],
-    (k, within): (usize, Option<&Within>),
-    watcher: &dyn Watcher,
+    (k, within): (usize, Option<&Subgroup>),
+    watcher: &dyn StudyObserver,
 ) -> Result<SubjectScore, StudyError> {
     let observer = &Interruption(watcher);
     let mut matched = matched.clone();
     let (subjects, members, _) = placed(study, &mut matched, folder, decisions, watcher)?;
-    if subjects[k].place == Place::Failed {
+    if subjects[k].place == SubjectOutcome::Failed {
         let reason = subjects[k].facts.error.clone().unwrap_or_default();
         return Err(StudyError::TooFewMatches { matched: 0, all: 1, purpose: "to score the subject", reason });
     }
@@ -186,7 +187,7 @@ pub fn score(
     let model = ShapeModel::with_others(&all, &frame, group.len(), study.settings.analysis.seed, observer)?;
     let mean = template.with_vertices(alignment.mean.clone())?;
     let values = |k: usize| -> Result<Vec<f64>, StudyError> {
-        let own = mean.with_vertices(moved(study, &matched, folder, &alignment, k)?)?;
+        let own = mean.with_vertices(shape_on_mean(study, &matched, folder, &alignment, k)?)?;
         Ok(measured(Measure::NormalDisplacement, &mean, &own, observer)?.unwrap_or_default())
     };
     watcher.progress("statistics", 0, 1);
@@ -198,8 +199,8 @@ pub fn score(
     let scores = norm.scores(&own);
     let deviation_mm: Vec<f64> = own.iter().zip(norm.mean()).map(|(y, mean)| y - mean).collect();
     let points = folder.get(&matched.keys[k])?.map(|record| record.points).unwrap_or_default();
-    let surface = crate::sides::bent(template, crate::align::points(&points), study.is_mirrored(k))?;
-    let (_, distance) = model.score(&alignment, &moved(study, &matched, folder, &alignment, k)?);
+    let surface = crate::mirror::deformed_template(template, crate::align::points(&points), study.is_mirrored(k))?;
+    let (_, distance) = model.score(&alignment, &shape_on_mean(study, &matched, folder, &alignment, k)?);
     let mut summary = summary(&subjects[k], &left_out, &scores, within, group.len());
     (summary.mahalanobis_squared, summary.unusual_p) = (distance, model.others_p.first().copied().unwrap_or(1.0));
     summary.regions = regions(&mean, surface.vertices(), &scores, &deviation_mm, summary.bound.score);
@@ -217,7 +218,7 @@ fn group(
     matched: &Matched,
     members: &[usize],
     k: usize,
-    within: Option<&Within>,
+    within: Option<&Subgroup>,
 ) -> Result<Vec<usize>, StudyError> {
     let is_within = level_of(&study.cohort, within)?;
     let mut known = BTreeSet::new();
@@ -240,14 +241,14 @@ fn group(
 ///
 /// # Errors
 /// [`StudyError::Settings`].
-pub fn check_group(cohort: &Cohort, within: Option<&Within>) -> Result<(), StudyError> {
+pub fn check_group(cohort: &Cohort, within: Option<&Subgroup>) -> Result<(), StudyError> {
     level_of(cohort, within).map(|_| ())
 }
 
 type Membership<'a> = Box<dyn Fn(usize) -> bool + 'a>;
 
-fn level_of<'a>(cohort: &'a Cohort, within: Option<&Within>) -> Result<Membership<'a>, StudyError> {
-    let Some(Within { covariate, level }) = within else { return Ok(Box::new(|_| true)) };
+fn level_of<'a>(cohort: &'a Cohort, within: Option<&Subgroup>) -> Result<Membership<'a>, StudyError> {
+    let Some(Subgroup { covariate, level }) = within else { return Ok(Box::new(|_| true)) };
     let fault = |why: String| StudyError::Settings(why);
     let found = cohort.covariate(covariate);
     match found.map(|found| &found.values) {
@@ -264,7 +265,7 @@ fn summary(
     subject: &SubjectFindings,
     left_out: &LeaveOneOut,
     scores: &[f64],
-    within: Option<&Within>,
+    within: Option<&Subgroup>,
     members: usize,
 ) -> ScoreSummary {
     let most = largest(scores);

@@ -8,10 +8,6 @@ use crate::error::StudyError;
 use crate::plan::Study;
 use crate::settings::{Settings, TemplateChoice};
 use homolog_contract::input::BodySide;
-use homolog_mesh::{MeshError, SurfaceMesh};
-use nalgebra::Point3;
-
-const IN_X: [[f64; 4]; 4] = [[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
 /// The side of the template, if subjects have sides: the requested side, or the side of the subject from which a
 /// template is made, or of most subjects of the model; left in a tie.
@@ -55,30 +51,4 @@ impl Study {
         let side = self.cohort.subjects.get(subject).and_then(|subject| subject.side);
         side.is_some() && side != self.settings.template_side
     }
-}
-
-/// The mirror image in `x = 0`, with faces that still look outwards.
-///
-/// # Errors
-/// Errors of [`SurfaceMesh::moved`].
-pub(crate) fn mirrored(mesh: &SurfaceMesh) -> Result<SurfaceMesh, MeshError> {
-    mesh.moved(&IN_X)
-}
-
-/// Points of a record in the coordinates of the subject's file.
-pub(crate) fn in_file(points: Vec<Point3<f64>>, is_mirrored: bool) -> Vec<Point3<f64>> {
-    if is_mirrored { points.into_iter().map(|p| Point3::new(-p.x, p.y, p.z)).collect() } else { points }
-}
-
-/// The template with the points of a record, in the coordinates of the subject's file.
-///
-/// # Errors
-/// Errors of [`SurfaceMesh::with_vertices`].
-pub(crate) fn bent(
-    template: &SurfaceMesh,
-    points: Vec<Point3<f64>>,
-    is_mirrored: bool,
-) -> Result<SurfaceMesh, MeshError> {
-    let bent = template.with_vertices(points)?;
-    if is_mirrored { mirrored(&bent) } else { Ok(bent) }
 }

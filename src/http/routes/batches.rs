@@ -2,7 +2,7 @@
 
 use super::jobs::{cancel_all, job_list};
 use super::{NAMED_FAULTS, accepted, taken};
-use crate::http::call::{Call, PageOf};
+use crate::http::call::{AuthorizedRequest, PageOf};
 use crate::http::fields::Fields;
 use crate::http::input_wire::{SubmittedInputDocument, input, maybe_input};
 use crate::http::long_poll::{Resource, Snapshot, Version, Watched, watch};
@@ -13,7 +13,7 @@ use crate::http::problem_table::ProblemKind;
 use crate::http::router::HttpState;
 use crate::http::strict_json::{SentTags, objects, tags_of};
 use crate::http::submission::{SentFiles, check_options, referred};
-use crate::http::upload::Tap;
+use crate::http::upload::LimitedBody;
 use crate::http::wire::{BatchDocument, BatchListDocument, BulkCancelDocument, JobListDocument};
 use crate::jobs::follow::Feed;
 use crate::jobs::job::Cursor;
@@ -135,14 +135,14 @@ pub(crate) struct BatchForm {
     request_body(content((BatchForm = "multipart/form-data"), (BatchSubmissionDocument = "application/json"))),
     responses((status = 202, description = "Accepted", body = BatchDocument))
 )]
-pub(crate) async fn submit(call: Call, request: Request) -> Result<Response, Problem> {
+pub(crate) async fn submit(call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
     let Accepted { made, replayed } = taken(call, request, take).await?;
     let document = BatchDocument::from(&made);
     Ok(marked(accepted(&document.links.batch.clone(), document), replayed))
 }
 
-async fn take(call: &Call, request: Request, tap: &Tap) -> Result<Accepted<Batch>, Problem> {
-    let Call { state, tenant, headers, .. } = call;
+async fn take(call: &AuthorizedRequest, request: Request, tap: &LimitedBody) -> Result<Accepted<Batch>, Problem> {
+    let AuthorizedRequest { state, tenant, headers, .. } = call;
     let idempotency_key = idempotency_key(headers)?;
     let (mut document, files): (BatchSubmissionDocument, _) = call.document(request, tap).await?;
     let (parameters, mut details) = check_options(document.take_options(), state)?;
@@ -264,7 +264,7 @@ impl Inputs<'_> {
 ///
 /// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(get, path = "/v1/batches", responses((status = 200, description = "A page", body = BatchListDocument)))]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let PageOf { size, after, fields } = call.last_page::<_, BatchDocument>(Cursor::from_token)?;
     let page = call.service().batches(&call.tenant, size, after).await?;
     let batches = page.batches.iter().map(BatchDocument::from).collect();
@@ -280,7 +280,7 @@ pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/batches/{id}",
     responses((status = 200, description = "The batch, with the number of its jobs in each state", body = BatchDocument))
 )]
-pub(crate) async fn get(call: Call) -> Result<Response, Problem> {
+pub(crate) async fn get(call: AuthorizedRequest) -> Result<Response, Problem> {
     watch::<BatchId, BatchDocument>(call, Fields::all).await
 }
 
@@ -317,14 +317,14 @@ fn version(mut document: BatchDocument) -> Result<Version, Problem> {
     get, path = "/v1/batches/{id}/jobs",
     responses((status = 200, description = "A page, in the order of submission", body = JobListDocument))
 )]
-pub(crate) async fn jobs(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn jobs(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let page = call.last_page(Cursor::from_token)?;
     let filter = jobs_of(&call).await?;
     job_list(&call, page, &filter, Order::OldestFirst).await
 }
 
 /// The jobs of the batch in the path.
-async fn jobs_of(call: &Call) -> Result<JobFilter, Problem> {
+async fn jobs_of(call: &AuthorizedRequest) -> Result<JobFilter, Problem> {
     let batch = call.service().batch(&call.tenant, call.id()?).await?;
     Ok(JobFilter { batch_id: Some(batch.id), ..JobFilter::default() })
 }
@@ -336,7 +336,7 @@ async fn jobs_of(call: &Call) -> Result<JobFilter, Problem> {
     post, path = "/v1/batches/{id}/cancel",
     responses((status = 202, description = "Cancellation requested", body = BulkCancelDocument))
 )]
-pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn cancel(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     call.query.finish()?;
     cancel_all(&call, &jobs_of(&call).await?).await
 }

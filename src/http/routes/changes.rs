@@ -1,6 +1,6 @@
 //! `/v1/changes`: the feed of state changes.
 
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::fields::Fields;
 use crate::http::long_poll::wait_of;
 use crate::http::problem::Problem;
@@ -49,7 +49,7 @@ where
     ),
     responses((status = 200, description = "Changes", body = ChangesDocument))
 )]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let since = either(&mut call.query, ["since", "page_token"], 0..=i64::MAX.unsigned_abs()).unwrap_or(0);
     let limit = either(&mut call.query, ["limit", "page_size"], 1..=MAX_CHANGES).unwrap_or(DEFAULT_CHANGES);
     let wait = wait_of(&mut call.query, &call.state);

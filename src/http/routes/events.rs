@@ -1,11 +1,11 @@
 //! `/v1/jobs/{id}/events`: the events of a job as they happen.
 
 use crate::http::auth::Rights;
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::fields::Fields;
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::shares::Taken;
+use crate::http::shares::SharePermit;
 use crate::http::wire::JobDocument;
 use crate::jobs::follow::{Feed, Seen};
 use crate::jobs::{Job, JobId};
@@ -42,7 +42,7 @@ const LAST_EVENT_ID: HeaderName = HeaderName::from_static("last-event-id");
         (status = 204, description = "`Last-Event-ID` is that of `done`: nothing follows"),
     )
 )]
-pub(crate) async fn events(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn events(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let fields = Fields::of(&mut call.query);
     call.query.finish()?;
     let (after_seq, is_done) = last_event_id(&call.headers, parse_id)?.unwrap_or((0, false));
@@ -108,7 +108,7 @@ struct Follower {
     ended: bool,
     /// Keeps the reader of the store running.
     _feed: Arc<Feed<Seen>>,
-    _place: [Option<Taken>; 2],
+    _place: [Option<SharePermit>; 2],
 }
 
 /// Suffix of the `seq` in the id of the last event.

@@ -1,6 +1,6 @@
 //! `/v1/jobs/{id}/files/{name}`: every part of a result in every format, as bytes.
 
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::problem::Problem;
 use crate::http::problem_table::ProblemKind;
 use crate::http::representation::{answer_file, given_uids};
@@ -49,7 +49,7 @@ fn parse(name: &str) -> Option<(ResultPart, PartFormat)> {
         (status = 206, description = "The range of the file", content_type = "application/octet-stream", body = Vec<u8>, headers(("Content-Range" = String, description = "The range, and the size of the whole"))),
     )
 )]
-pub(crate) async fn download(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn download(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let named = parse(call.segment(1));
     let uids = named.map_or_else(Default::default, |(part, _)| given_uids(part, &mut call.query));
     call.query.finish()?;

@@ -1,14 +1,14 @@
 //! `/v1/jobs`: submit, list, get, cancel, retry, delete.
 
 use super::{accepted, check_priority};
-use crate::http::call::{Call, PageOf, ResourceId};
+use crate::http::call::{AuthorizedRequest, PageOf, ResourceId};
 use crate::http::fields::Fields;
 use crate::http::long_poll::{MAX_WAIT_S, Resource, Snapshot, Version, Watched, watch};
 use crate::http::preferences::{idempotency_key, marked, traceparent, wanted_wait};
 use crate::http::problem::Problem;
 use crate::http::query::QueryString;
 use crate::http::submission::{self, Request as Submitted, SubmissionDocument, SubmissionForm};
-use crate::http::upload::Tap;
+use crate::http::upload::LimitedBody;
 use crate::http::wire::{BulkCancelDocument, JobDocument, JobListDocument, SubmissionAnswer, ValidationDocument};
 use crate::jobs::follow::{Feed, Seen};
 use crate::jobs::job::Cursor;
@@ -51,8 +51,8 @@ use utoipa::{IntoParams, PartialSchema, ToSchema};
             ("Idempotency-Replayed" = bool, description = "Present if an earlier request with this Idempotency-Key created the job"))),
     )
 )]
-pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response, Problem> {
-    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
+pub(crate) async fn submit(mut call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
+    let (request, tap) = LimitedBody::on(request, call.state.limits.max_body_bytes());
     let validate_only = call.query.word("validate_only", &[("true", true), ("false", false)]).unwrap_or(false);
     // A misspelled `validate_only` must not submit a job.
     let taken = async {
@@ -63,8 +63,8 @@ pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response,
     // The slot and the memory of the body are free again before the wait for the job.
     drop(tap);
     match taken {
-        Taken::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
-        Taken::Accepted(accepted_now) => {
+        SharePermit::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
+        SharePermit::Accepted(accepted_now) => {
             let Accepted { made, replayed } = *accepted_now;
             let response = match wanted_wait(&call.headers, MAX_WAIT_S) {
                 Some(wait) => after_wait(&call, made, wait).await?,
@@ -75,13 +75,18 @@ pub(crate) async fn submit(mut call: Call, request: Request) -> Result<Response,
     }
 }
 
-enum Taken {
+enum SharePermit {
     Accepted(Box<Accepted<Job>>),
     Tried(Box<Validated>),
 }
 
-async fn take(call: &Call, request: Request, tap: &Tap, validate_only: bool) -> Result<Taken, Problem> {
-    let Call { state, tenant, headers, .. } = call;
+async fn take(
+    call: &AuthorizedRequest,
+    request: Request,
+    tap: &LimitedBody,
+    validate_only: bool,
+) -> Result<SharePermit, Problem> {
+    let AuthorizedRequest { state, tenant, headers, .. } = call;
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(tenant).await?;
     // The submission stays in memory, and is counted, until the job is stored.
@@ -91,9 +96,9 @@ async fn take(call: &Call, request: Request, tap: &Tap, validate_only: bool) -> 
     details.traceparent = traceparent(headers);
     let submission = Submission { tenant: tenant.clone(), source, target, parameters, details, idempotency_key };
     Ok(if validate_only {
-        Taken::Tried(Box::new(state.service.validate(submission).await?))
+        SharePermit::Tried(Box::new(state.service.validate(submission).await?))
     } else {
-        Taken::Accepted(Box::new(state.service.submit(submission).await?))
+        SharePermit::Accepted(Box::new(state.service.submit(submission).await?))
     })
 }
 
@@ -104,7 +109,7 @@ fn accepted_job(job: &Job) -> Response {
 }
 
 /// 200 with the job if it finishes in time, else 202.
-async fn after_wait(call: &Call, made: Job, wait: Duration) -> Result<Response, Problem> {
+async fn after_wait(call: &AuthorizedRequest, made: Job, wait: Duration) -> Result<Response, Problem> {
     let feed = call.service().follow(&call.tenant, made.id).await?;
     let mut seen = feed.seen();
     let ended = seen.wait_for(|seen| seen.job.state.is_final() || seen.removed);
@@ -228,7 +233,7 @@ fn tag_of(text: &str) -> Option<(String, String)> {
 
 /// A page of the jobs that match a filter.
 pub(super) async fn job_list(
-    call: &Call,
+    call: &AuthorizedRequest,
     PageOf { size, after, fields }: PageOf<Cursor, JobDocument>,
     filter: &JobFilter,
     order: Order,
@@ -251,7 +256,7 @@ pub(super) async fn job_list(
     ),
     responses((status = 200, description = "A page", body = JobListDocument))
 )]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let filter = filter(&mut call.query);
     let order =
         call.query.word("order", &[("desc", Order::NewestFirst), ("asc", Order::OldestFirst)]).unwrap_or_default();
@@ -272,7 +277,7 @@ pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
     ),
     responses((status = 202, description = "Cancellation requested", body = BulkCancelDocument))
 )]
-pub(crate) async fn cancel_many(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn cancel_many(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let filter = filter(&mut call.query);
     let all = call.query.word("all", &[("true", true), ("false", false)]).unwrap_or(false);
     if filter == JobFilter::default() && !all {
@@ -286,7 +291,7 @@ pub(crate) async fn cancel_many(mut call: Call) -> Result<Response, Problem> {
 }
 
 /// Cancels the unfinished jobs that match a filter.
-pub(super) async fn cancel_all(call: &Call, filter: &JobFilter) -> Result<Response, Problem> {
+pub(super) async fn cancel_all(call: &AuthorizedRequest, filter: &JobFilter) -> Result<Response, Problem> {
     let done = call.service().cancel_all(&call.tenant, filter).await?;
     let document = BulkCancelDocument { cancelled: done.cancelled, told: done.told };
     Ok((StatusCode::ACCEPTED, Json(document)).into_response())
@@ -308,7 +313,7 @@ pub(super) async fn cancel_all(call: &Call, filter: &JobFilter) -> Result<Respon
     params(("fields" = Option<String>, Query, description = "Members to be answered, separated by commas, or `*`; all but `parameters` if absent")),
     responses((status = 200, description = "The job", body = JobDocument))
 )]
-pub(crate) async fn get(call: Call) -> Result<Response, Problem> {
+pub(crate) async fn get(call: AuthorizedRequest) -> Result<Response, Problem> {
     watch::<JobId, JobDocument>(call, Fields::of).await
 }
 
@@ -358,7 +363,7 @@ pub(crate) struct JobChangeDocument {
     request_body = JobChangeDocument,
     responses((status = 200, description = "Changed", body = JobDocument))
 )]
-pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<JobDocument>, Problem> {
+pub(crate) async fn update(mut call: AuthorizedRequest, request: Request) -> Result<Json<JobDocument>, Problem> {
     let JobChangeDocument { priority } = call.small_json(request).await?;
     check_priority(priority)?;
     let job = call.service().set_priority(&call.tenant, call.id()?, priority).await?;
@@ -372,7 +377,7 @@ pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<JobD
     post, path = "/v1/jobs/{id}/cancel",
     responses((status = 202, description = "Cancellation requested; `state` becomes `cancelled`", body = JobDocument))
 )]
-pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn cancel(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let id: JobId = call.last_id()?;
     Ok(accepted_job(&call.service().cancel(&call.tenant, id).await?))
 }
@@ -386,7 +391,7 @@ pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
     params(("id" = String, Path, description = "The finished job")),
     responses((status = 202, description = "The new job", body = JobDocument, headers(("Location" = String, description = "The new job"))))
 )]
-pub(crate) async fn retry(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn retry(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let id: JobId = call.last_id()?;
     Ok(accepted_job(&call.service().retry(&call.tenant, id, traceparent(&call.headers)).await?))
 }
@@ -395,7 +400,7 @@ pub(crate) async fn retry(mut call: Call) -> Result<Response, Problem> {
 ///
 /// Deletes a finished job with its trace and its result, and its input files unless other jobs use them.
 #[utoipa::path(delete, path = "/v1/jobs/{id}", responses((status = 204, description = "Deleted")))]
-pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
+pub(crate) async fn delete(mut call: AuthorizedRequest) -> Result<StatusCode, Problem> {
     let id: JobId = call.last_id()?;
     call.service().delete(&call.tenant, id).await?;
     Ok(StatusCode::NO_CONTENT)

@@ -1,6 +1,6 @@
 //! `/v1/keys`: API keys of a tenant, managed by its admins.
 
-use crate::http::call::{Call, KeyId, PageOf, ResourceId as _};
+use crate::http::call::{AuthorizedRequest, KeyId, PageOf, ResourceId as _};
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::jobs::{ApiKey, Role, Scope, SecretKey};
@@ -116,7 +116,7 @@ impl KeyDocument {
     request_body = NewKeyDocument,
     responses((status = 201, description = "Created", body = KeyDocument, headers(("Location" = String, description = "The key, without its secret"))))
 )]
-pub(crate) async fn create(mut call: Call, request: Request) -> Result<Response, Problem> {
+pub(crate) async fn create(mut call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
     let NewKeyDocument { role, name, expires_days } = call.small_json(request).await?;
     let mut faults = Vec::new();
     if name.chars().count() > MAX_NAME || name.chars().any(char::is_control) {
@@ -158,7 +158,7 @@ pub(in crate::http) fn token_of(time: i64, id: &str) -> String {
 /// Those of the tenant of the request, also expired and revoked ones, without their secrets. `fields` selects members of each
 /// entry, as in the list of jobs.
 #[utoipa::path(get, path = "/v1/keys", responses((status = 200, description = "A page", body = KeyListDocument)))]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let PageOf { size, after, fields } = call.last_page::<_, KeyDocument>(cursor)?;
     let page = call.service().keys(&call.tenant, size, after).await?;
     let keys = page.keys.into_iter().map(|key| KeyDocument::of(key, None)).collect();
@@ -171,7 +171,7 @@ pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/keys/{id}",
     responses((status = 200, description = "The key, without its secret", body = KeyDocument))
 )]
-pub(crate) async fn get(mut call: Call) -> Result<Json<KeyDocument>, Problem> {
+pub(crate) async fn get(mut call: AuthorizedRequest) -> Result<Json<KeyDocument>, Problem> {
     let KeyId(id) = call.last_id()?;
     Ok(Json(KeyDocument::of(call.service().key(&call.tenant, &id).await?, None)))
 }
@@ -180,7 +180,7 @@ pub(crate) async fn get(mut call: Call) -> Result<Json<KeyDocument>, Problem> {
 ///
 /// Every process refuses it from its next request on. Its record stays, so that the audit log can be read.
 #[utoipa::path(delete, path = "/v1/keys/{id}", responses((status = 204, description = "Revoked, now or before")))]
-pub(crate) async fn revoke(mut call: Call) -> Result<StatusCode, Problem> {
+pub(crate) async fn revoke(mut call: AuthorizedRequest) -> Result<StatusCode, Problem> {
     let KeyId(id) = call.last_id()?;
     call.service().revoke_key(&call.tenant, &id).await?;
     Ok(StatusCode::NO_CONTENT)

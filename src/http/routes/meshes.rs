@@ -1,6 +1,6 @@
 //! `/v1/meshes`: uploads, identified by the hash of their content.
 
-use crate::http::call::{Call, MeshHash, PageOf};
+use crate::http::call::{AuthorizedRequest, MeshHash, PageOf};
 use crate::http::compression::Gains;
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::content::{Counted, Stored};
@@ -8,7 +8,7 @@ use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::router::HttpState;
 use crate::http::submission::media_type;
-use crate::http::upload::{Tap, name_hint};
+use crate::http::upload::{LimitedBody, name_hint};
 use crate::http::wire::{MeshDocument, MeshListDocument};
 use crate::jobs::mesh::{content_id, hash_of_id};
 use crate::jobs::uploads::Upload;
@@ -43,8 +43,8 @@ use http_body_util::BodyExt;
         (status = 201, description = "Uploaded", body = MeshDocument, headers(("Location" = String, description = "The upload"))),
     )
 )]
-pub(crate) async fn upload(mut call: Call, request: Request) -> Result<Response, Problem> {
-    let (request, tap) = Tap::on(request, call.state.limits.max_file_bytes.saturating_add(1 << 20));
+pub(crate) async fn upload(mut call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
+    let (request, tap) = LimitedBody::on(request, call.state.limits.max_file_bytes.saturating_add(1 << 20));
     let inspect = call.query.word("inspect", &[("true", true), ("false", false)]).unwrap_or(true);
     let file_name = call.query.text("file_name");
     let stored = async {
@@ -75,7 +75,12 @@ pub(crate) struct MeshForm {
     file: String,
 }
 
-async fn store(call: &Call, file_name: Option<String>, request: Request, tap: &Tap) -> Result<(Mesh, bool), Problem> {
+async fn store(
+    call: &AuthorizedRequest,
+    file_name: Option<String>,
+    request: Request,
+    tap: &LimitedBody,
+) -> Result<(Mesh, bool), Problem> {
     call.begin_storing(tap).await?;
     let reading = async {
         match media_type(&request).as_str() {
@@ -95,7 +100,7 @@ fn too_large(state: &HttpState) -> Problem {
 }
 
 /// The answer to a body that was not read to its end because of a limit.
-fn refusal(state: &HttpState, tap: &Tap) -> Option<Problem> {
+fn refusal(state: &HttpState, tap: &LimitedBody) -> Option<Problem> {
     if tap.is_over() { Some(too_large(state)) } else { tap.refusal() }
 }
 
@@ -116,12 +121,12 @@ async fn end(state: &HttpState, upload: Upload, hint: Option<String>) -> Result<
 }
 
 async fn store_raw(
-    call: &Call,
+    call: &AuthorizedRequest,
     file_name: Option<String>,
     request: Request,
-    tap: &Tap,
+    tap: &LimitedBody,
 ) -> Result<(Mesh, bool), Problem> {
-    let Call { state, tenant, .. } = call;
+    let AuthorizedRequest { state, tenant, .. } = call;
     let mut upload = state.service.begin_upload(tenant).await?;
     let mut body = request.into_body();
     while let Some(frame) = body.frame().await {
@@ -136,8 +141,8 @@ async fn store_raw(
     end(state, upload, file_name.as_deref().and_then(name_hint)).await
 }
 
-async fn store_form(call: &Call, request: Request, tap: &Tap) -> Result<(Mesh, bool), Problem> {
-    let Call { state, tenant, .. } = call;
+async fn store_form(call: &AuthorizedRequest, request: Request, tap: &LimitedBody) -> Result<(Mesh, bool), Problem> {
+    let AuthorizedRequest { state, tenant, .. } = call;
     let refuse = |error: &MultipartError| {
         let malformed = || Problem::new(ProblemKind::MalformedMultipart).detail(error.body_text());
         refusal(state, tap).unwrap_or_else(malformed)
@@ -178,7 +183,7 @@ pub(in crate::http) fn token_of(time: i64, hash: &str) -> String {
 ///
 /// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(get, path = "/v1/meshes", responses((status = 200, description = "A page", body = MeshListDocument)))]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let PageOf { size, after, fields } = call.last_page::<_, MeshDocument>(cursor)?;
     let page = call.service().meshes(&call.tenant, size, after).await?;
     let meshes = page.meshes.iter().map(|mesh| MeshDocument::of(mesh, None)).collect();
@@ -191,7 +196,7 @@ pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/meshes/{id}",
     responses((status = 200, description = "The upload with its inspection report", body = MeshDocument))
 )]
-pub(crate) async fn get(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn get(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let MeshHash(hash) = call.last_id()?;
     let mesh = call.service().mesh(&call.tenant, &hash).await?;
     // Neither the bytes nor their inspection with default parameters change within a version.
@@ -225,7 +230,7 @@ async fn is_compressed(beginning: BlobStream) -> Result<bool, Problem> {
         (status = 200, description = "The bytes as they were uploaded", content_type = "application/octet-stream", body = Vec<u8>),
     )
 )]
-pub(crate) async fn content(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn content(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let MeshHash(hash) = call.last_id()?;
     let mesh = call.service().mesh(&call.tenant, &hash).await?;
     let etag = format!("\"{}\"", &mesh.key.hash()[..32]);
@@ -248,7 +253,7 @@ pub(crate) async fn content(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/meshes/{id}/surface",
     responses((status = 200, description = "The surface as binary PLY, mm", content_type = "model/ply", body = Vec<u8>))
 )]
-pub(crate) async fn surface(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn surface(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let MeshHash(hash) = call.last_id()?;
     let mesh = call.service().mesh(&call.tenant, &hash).await?;
     let etag = format!("\"{}-{}-surface\"", &mesh.key.hash()[..32], env!("CARGO_PKG_VERSION"));
@@ -264,7 +269,7 @@ pub(crate) async fn surface(mut call: Call) -> Result<Response, Problem> {
 ///
 /// Only if no job refers to it: delete those jobs first, or wait until their retention time is over.
 #[utoipa::path(delete, path = "/v1/meshes/{id}", responses((status = 204, description = "Deleted")))]
-pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
+pub(crate) async fn delete(mut call: AuthorizedRequest) -> Result<StatusCode, Problem> {
     let MeshHash(hash) = call.last_id()?;
     call.service().delete_mesh(&call.tenant, &hash).await?;
     Ok(StatusCode::NO_CONTENT)

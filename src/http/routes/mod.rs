@@ -20,11 +20,11 @@ pub(crate) mod tickets;
 pub(crate) mod trace;
 pub(crate) mod webhooks;
 
-use super::call::Call;
+use super::call::AuthorizedRequest;
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
 use super::submission::{ALLOWED_PRIORITIES, PRIORITIES};
-use super::upload::Tap;
+use super::upload::LimitedBody;
 use axum::Json;
 use axum::extract::Request;
 use axum::http::{StatusCode, header};
@@ -37,11 +37,11 @@ const NAMED_FAULTS: usize = 16;
 /// What `take` makes of a request with a body and without a query. After a refusal the rest of the body is read, as far as it
 /// is allowed.
 async fn taken<T>(
-    mut call: Call,
+    mut call: AuthorizedRequest,
     request: Request,
-    take: impl AsyncFnOnce(&Call, Request, &Tap) -> Result<T, Problem>,
+    take: impl AsyncFnOnce(&AuthorizedRequest, Request, &LimitedBody) -> Result<T, Problem>,
 ) -> Result<T, Problem> {
-    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
+    let (request, tap) = LimitedBody::on(request, call.state.limits.max_body_bytes());
     let read = async {
         call.query.finish()?;
         take(&call, request, &tap).await

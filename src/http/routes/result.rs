@@ -1,6 +1,6 @@
 //! `/v1/jobs/{id}/result`, `/correspondences`, `/transform` and `/report`.
 
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::problem::Problem;
 use crate::http::query::QueryString;
@@ -20,7 +20,7 @@ use futures_util::StreamExt as _;
     params(("correspondences" = Option<bool>, Query, description = "`false` omits the correspondences")),
     responses((status = 200, description = "The result", body = JobResultDocument))
 )]
-pub(crate) async fn result(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn result(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let with_correspondences = call.query.word("correspondences", &[("true", true), ("false", false)]).unwrap_or(true);
     call.query.finish()?;
     let id = call.id()?;
@@ -80,7 +80,7 @@ pub(crate) async fn result(mut call: Call) -> Result<Response, Problem> {
         (status = 200, description = "The correspondence", body = Correspondences, headers(("Content-Disposition" = String, description = "Suggested file name; not with JSON"))),
     )
 )]
-pub(crate) async fn correspondences(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn correspondences(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let direction = direction(&mut call.query);
     answer(call, ResultPart::Correspondences { direction }).await
 }
@@ -117,7 +117,7 @@ pub(super) fn direction(query: &mut QueryString) -> WarpDirection {
         (status = 200, description = "The transform", body = TransformDocument, headers(("Content-Disposition" = String, description = "Suggested file name; not with JSON and text"))),
     )
 )]
-pub(crate) async fn transform(call: Call) -> Result<Response, Problem> {
+pub(crate) async fn transform(call: AuthorizedRequest) -> Result<Response, Problem> {
     answer(call, ResultPart::Transform).await
 }
 
@@ -133,7 +133,7 @@ pub(crate) async fn transform(call: Call) -> Result<Response, Problem> {
         (status = 200, description = "The page", content((String = "text/html")), headers(("ETag" = String, description = "Of this page"))),
     )
 )]
-pub(crate) async fn report(call: Call) -> Result<Response, Problem> {
+pub(crate) async fn report(call: AuthorizedRequest) -> Result<Response, Problem> {
     answer(call, ResultPart::Report).await
 }
 

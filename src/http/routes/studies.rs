@@ -1,7 +1,7 @@
 //! `/v1/studies`: studies of groups of subjects.
 
 use super::{NAMED_FAULTS, accepted, check_priority, taken};
-use crate::http::call::{Call, PageOf};
+use crate::http::call::{AuthorizedRequest, PageOf};
 use crate::http::content::{Counted, Stored};
 use crate::http::fields::Fields;
 use crate::http::long_poll::{Resource, Snapshot, Version, Watched, watch};
@@ -10,13 +10,13 @@ use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::representation::as_page;
 use crate::http::router::HttpState;
-use crate::http::shares::Taken;
+use crate::http::shares::SharePermit;
 use crate::http::study_wire::{
     StudyChangeDocument, StudyDocument, StudyForm, StudyListDocument, StudyProgressDocument, StudyResultDocument,
     StudySubjectDocument, StudySubmissionDocument,
 };
 use crate::http::submission::{SentFiles, check_options, referred};
-use crate::http::upload::Tap;
+use crate::http::upload::LimitedBody;
 use crate::jobs::follow::Feed;
 use crate::jobs::job::Cursor;
 use crate::jobs::study_submission::{StudySubmission, SubmittedSubject};
@@ -44,13 +44,13 @@ const SHOWN_SUBJECTS: usize = 500;
     request_body(content((StudyForm = "multipart/form-data"), (StudySubmissionDocument = "application/json"))),
     responses((status = 202, description = "Accepted", body = StudyDocument))
 )]
-pub(crate) async fn submit(call: Call, request: Request) -> Result<Response, Problem> {
+pub(crate) async fn submit(call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
     let Accepted { made, replayed } = taken(call, request, take).await?;
     Ok(marked(accepted_study(&made), replayed))
 }
 
-async fn take(call: &Call, request: Request, tap: &Tap) -> Result<Accepted<Study>, Problem> {
-    let Call { state, tenant, headers, .. } = call;
+async fn take(call: &AuthorizedRequest, request: Request, tap: &LimitedBody) -> Result<Accepted<Study>, Problem> {
+    let AuthorizedRequest { state, tenant, headers, .. } = call;
     let idempotency_key = idempotency_key(headers)?;
     let (mut document, files): (StudySubmissionDocument, _) = call.document(request, tap).await?;
     let questions = document.questions();
@@ -122,7 +122,7 @@ pub(super) fn accepted_study(study: &Study) -> Response {
 ///
 /// `fields` selects members of each entry, as in the list of jobs.
 #[utoipa::path(get, path = "/v1/studies", responses((status = 200, description = "A page", body = StudyListDocument)))]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let PageOf { size, after, fields } = call.last_page::<_, StudyDocument>(Cursor::from_token)?;
     let page = call.service().studies(&call.tenant, size, after).await?;
     let studies = page.studies.iter().map(|study| StudyDocument::of(study, None)).collect();
@@ -140,7 +140,7 @@ pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
     params(("fields" = Option<String>, Query, description = "Members to be answered, separated by commas; all if absent")),
     responses((status = 200, description = "The study", body = StudyDocument))
 )]
-pub(crate) async fn get(call: Call) -> Result<Response, Problem> {
+pub(crate) async fn get(call: AuthorizedRequest) -> Result<Response, Problem> {
     watch::<StudyId, StudyDocument>(call, Fields::of).await
 }
 
@@ -188,7 +188,7 @@ fn version(study: &Study) -> Result<Version, Problem> {
     request_body = StudyChangeDocument,
     responses((status = 200, description = "Changed", body = StudyDocument))
 )]
-pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<StudyDocument>, Problem> {
+pub(crate) async fn update(mut call: AuthorizedRequest, request: Request) -> Result<Json<StudyDocument>, Problem> {
     let StudyChangeDocument { priority } = call.small_json(request).await?;
     check_priority(priority)?;
     let study = call.service().set_study_priority(&call.tenant, call.id()?, priority).await?;
@@ -198,7 +198,7 @@ pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<Stud
 const JSON: [(header::HeaderName, &str); 1] = [(header::CONTENT_TYPE, "application/json")];
 
 /// A JSON answer whose memory is counted until it is sent.
-pub(super) fn counted(json: Vec<u8>, memory: Taken) -> Response {
+pub(super) fn counted(json: Vec<u8>, memory: SharePermit) -> Response {
     (JSON, Body::new(Counted::new(json.into(), memory))).into_response()
 }
 
@@ -209,7 +209,11 @@ pub(super) const CHANGE_MEMORY: u64 = 64;
 pub(super) const OUTLINE_MEMORY: u64 = 4;
 
 /// Memory for reading the definition of a study, `factor` times its stored size, taken before it is read.
-pub(super) async fn definition_memory(call: &Call, id: StudyId, factor: u64) -> Result<Taken, Problem> {
+pub(super) async fn definition_memory(
+    call: &AuthorizedRequest,
+    id: StudyId,
+    factor: u64,
+) -> Result<SharePermit, Problem> {
     let n_bytes = call.service().study_definition_bytes(&call.tenant, id).await?.saturating_mul(factor);
     call.memory(usize::try_from(n_bytes).unwrap_or(usize::MAX)).await
 }
@@ -218,7 +222,7 @@ pub(super) async fn definition_memory(call: &Call, id: StudyId, factor: u64) -> 
 ///
 /// Deletes a finished study with its matches and everything that was found, and with those of its inputs that are no uploads.
 #[utoipa::path(delete, path = "/v1/studies/{id}", responses((status = 204, description = "Deleted")))]
-pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
+pub(crate) async fn delete(mut call: AuthorizedRequest) -> Result<StatusCode, Problem> {
     let id: StudyId = call.last_id()?;
     call.service().delete_study(&call.tenant, id).await?;
     Ok(StatusCode::NO_CONTENT)
@@ -232,7 +236,7 @@ pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
     post, path = "/v1/studies/{id}/cancel",
     responses((status = 202, description = "Cancelled", body = StudyDocument))
 )]
-pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn cancel(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let id: StudyId = call.last_id()?;
     Ok(accepted_study(&call.service().cancel_study(&call.tenant, id).await?))
 }
@@ -244,7 +248,7 @@ pub(crate) async fn cancel(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/studies/{id}/result",
     responses((status = 200, description = "The result", body = StudyResultDocument))
 )]
-pub(crate) async fn result(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn result(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     part(&mut call, ArtifactKind::StudyDocument, "application/json").await
 }
 
@@ -256,7 +260,7 @@ pub(crate) async fn result(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/studies/{id}/report",
     responses((status = 200, description = "The page", content((String = "text/html"))))
 )]
-pub(crate) async fn report(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn report(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     part(&mut call, ArtifactKind::StudyReport, "text/html; charset=utf-8").await.map(as_page)
 }
 
@@ -268,7 +272,7 @@ pub(crate) async fn report(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/studies/{id}/archive",
     responses((status = 200, description = "The archive", content((String = "application/zip")), headers(("Content-Disposition" = String, description = "Suggested file name"))))
 )]
-pub(crate) async fn archive(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn archive(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let mut response = part(&mut call, ArtifactKind::StudyArchive, "application/zip").await?;
     let name = format!("attachment; filename=\"homolog-study-{}.zip\"", call.id::<StudyId>()?);
     if let Ok(value) = HeaderValue::from_str(&name) {
@@ -278,7 +282,11 @@ pub(crate) async fn archive(mut call: Call) -> Result<Response, Problem> {
 }
 
 /// A part of a study's result in its stored form, or a range of it.
-async fn part(call: &mut Call, kind: ArtifactKind, content_type: &'static str) -> Result<Response, Problem> {
+async fn part(
+    call: &mut AuthorizedRequest,
+    kind: ArtifactKind,
+    content_type: &'static str,
+) -> Result<Response, Problem> {
     let id = call.last_id()?;
     let found = call.service().study_part(&call.tenant, id, kind).await?;
     let etag = format!("\"{}\"", &found.key.hash()[..32]);

@@ -2,7 +2,7 @@
 
 use super::studies::{CHANGE_MEMORY, definition_memory};
 use super::{accepted, taken};
-use crate::http::call::{Call, ResourceId};
+use crate::http::call::{AuthorizedRequest, ResourceId};
 use crate::http::content::Stored;
 use crate::http::options::SentOptions;
 use crate::http::preferences::{idempotency_key, marked, traceparent};
@@ -10,7 +10,7 @@ use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::study_score_wire::{ScoreForm, ScoreGroupDocument, ScoreSubmissionDocument, StudyScoreDocument};
 use crate::http::submission::{check_options, referred};
-use crate::http::upload::Tap;
+use crate::http::upload::LimitedBody;
 use crate::http::wire::JobDocument;
 use crate::jobs::study::ScoreQuestions;
 use crate::jobs::{Accepted, Job, JobId, ScoreSubmission, StudyId};
@@ -31,13 +31,13 @@ const MAX_NAME: usize = 200;
     request_body(content((ScoreForm = "multipart/form-data"), (ScoreSubmissionDocument = "application/json"))),
     responses((status = 202, description = "Accepted", body = JobDocument))
 )]
-pub(crate) async fn submit(call: Call, request: Request) -> Result<Response, Problem> {
+pub(crate) async fn submit(call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
     let Accepted { made, replayed } = taken(call, request, take).await?;
     let document = JobDocument::from(&made);
     Ok(marked(accepted(&document.links.job.clone(), document), replayed))
 }
 
-async fn take(call: &Call, request: Request, tap: &Tap) -> Result<Accepted<Job>, Problem> {
+async fn take(call: &AuthorizedRequest, request: Request, tap: &LimitedBody) -> Result<Accepted<Job>, Problem> {
     let (study, idempotency_key) = (call.id::<StudyId>()?, idempotency_key(&call.headers)?);
     let (document, files): (ScoreSubmissionDocument, _) = call.document(request, tap).await?;
     let ScoreSubmissionDocument { input, group, side, labels, tags, external_ref, priority, max_run_s } = document;
@@ -75,7 +75,7 @@ fn group_fault(group: &ScoreGroupDocument) -> Option<FieldError> {
     params(("job" = String, Path, description = "The job that scores the subject")),
     responses((status = 200, description = "The score", body = StudyScoreDocument))
 )]
-pub(crate) async fn get(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn get(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let study: StudyId = call.last_id()?;
     let job = JobId::parse(call.segment(1)).ok_or_else(|| Problem::new(<JobId as ResourceId>::NOT_FOUND))?;
     let found = call.service().study_score(&call.tenant, study, job).await?;

@@ -1,14 +1,14 @@
 //! `/v1/studies/{id}/subjects`: the subjects of a study, and the decisions about them.
 
 use super::studies::{CHANGE_MEMORY, OUTLINE_MEMORY, accepted_study, checked, counted, definition_memory};
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::study_wire::{
     AddedSubjectsDocument, AddedSubjectsForm, DecisionDocument, StudyDocument, StudySubjectListDocument,
     StudySubjectStateDocument,
 };
-use crate::http::upload::Tap;
+use crate::http::upload::LimitedBody;
 use crate::jobs::{JobError, StudyId};
 use axum::extract::Request;
 use axum::response::Response;
@@ -23,7 +23,7 @@ const MAX_REASON: usize = 1000;
     get, path = "/v1/studies/{id}/subjects",
     responses((status = 200, description = "A page", body = StudySubjectListDocument))
 )]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let (size, first) = call.page(place_of);
     let (id, first) = (call.last_id()?, first.unwrap_or(0));
     let memory = definition_memory(&call, id, OUTLINE_MEMORY).await?;
@@ -55,8 +55,8 @@ fn place_of(token: &str) -> Option<usize> {
     request_body(content((AddedSubjectsForm = "multipart/form-data"), (AddedSubjectsDocument = "application/json"))),
     responses((status = 202, description = "Accepted", body = StudyDocument))
 )]
-pub(crate) async fn add(mut call: Call, request: Request) -> Result<Response, Problem> {
-    let (request, tap) = Tap::on(request, call.state.limits.max_body_bytes());
+pub(crate) async fn add(mut call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
+    let (request, tap) = LimitedBody::on(request, call.state.limits.max_body_bytes());
     let taken = async {
         call.query.finish()?;
         let id = call.id()?;
@@ -82,7 +82,7 @@ pub(crate) async fn add(mut call: Call, request: Request) -> Result<Response, Pr
     request_body = DecisionDocument,
     responses((status = 202, description = "Recorded; the study is computed again", body = StudyDocument))
 )]
-pub(crate) async fn decide(mut call: Call, request: Request) -> Result<Response, Problem> {
+pub(crate) async fn decide(mut call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
     let DecisionDocument { decision, reason } = call.small_json(request).await?;
     if reason.len() > MAX_REASON || reason.chars().any(char::is_control) {
         let detail = format!("must have at most {MAX_REASON} bytes and no control characters");
@@ -103,7 +103,7 @@ pub(crate) async fn decide(mut call: Call, request: Request) -> Result<Response,
     params(("subject" = String, Path, description = "Id of the subject")),
     responses((status = 202, description = "Taken back; the study is computed again", body = StudyDocument))
 )]
-pub(crate) async fn undecide(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn undecide(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let id: StudyId = call.last_id()?;
     let _memory = definition_memory(&call, id, CHANGE_MEMORY).await?;
     Ok(accepted_study(&call.service().decide(&call.tenant, id, call.segment(1), None).await?))

@@ -1,7 +1,7 @@
 //! `/v1/jobs/{id}/surfaces/{which}`, `/volumes/{which}`, `/aligned` and `/warped`: surfaces and volumes as files.
 
 use super::result::direction;
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::compression::Gains;
 use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::content::Counted;
@@ -23,7 +23,7 @@ use serde_json::Value;
     params(("which" = String, Path, description = "`source` or `target`")),
     responses((status = 200, description = "The surface, mm"))
 )]
-pub(crate) async fn surface(call: Call) -> Result<Response, Problem> {
+pub(crate) async fn surface(call: AuthorizedRequest) -> Result<Response, Problem> {
     let part = match call.segment(1) {
         "source" => ResultPart::SourceSurface,
         "target" => ResultPart::TargetSurface,
@@ -41,7 +41,7 @@ pub(crate) async fn surface(call: Call) -> Result<Response, Problem> {
     params(("which" = String, Path, description = "`source` or `target`")),
     responses((status = 200, description = "The volume, NIfTI compressed with gzip", content_type = "application/octet-stream", body = Vec<u8>))
 )]
-pub(crate) async fn volume(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn volume(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let id: JobId = call.last_id()?;
     let job = call.service().get(&call.tenant, id).await?;
     let (side, input) = match call.segment(1) {
@@ -70,7 +70,7 @@ pub(crate) async fn volume(mut call: Call) -> Result<Response, Problem> {
 /// The source surface moved onto the target by the rigid transform alone, in the formats of the matched surfaces: its shape
 /// is unchanged. The source deformed onto the target is `/warped`.
 #[utoipa::path(get, path = "/v1/jobs/{id}/aligned", responses((status = 200, description = "The surface, mm")))]
-pub(crate) async fn aligned(call: Call) -> Result<Response, Problem> {
+pub(crate) async fn aligned(call: AuthorizedRequest) -> Result<Response, Problem> {
     answer(call, ResultPart::Aligned).await
 }
 
@@ -102,7 +102,7 @@ pub(crate) async fn aligned(call: Call) -> Result<Response, Problem> {
         (status = 200, description = "The surface, mm", headers(("Content-Disposition" = String, description = "Suggested file name; not with JSON"))),
     )
 )]
-pub(crate) async fn warped(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn warped(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let direction = direction(&mut call.query);
     let own = match direction {
         WarpDirection::Forward => WarpSpace::Target,

@@ -2,9 +2,9 @@
 
 use super::events::{as_stream, last_event_id};
 use crate::http::auth::Rights;
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::problem::Problem;
-use crate::http::shares::Taken;
+use crate::http::shares::SharePermit;
 use crate::http::wire::ChangeDocument;
 use crate::jobs::{JobService, Tenant};
 use axum::response::Response;
@@ -34,7 +34,7 @@ const PAGE: u32 = 500;
     ),
     responses((status = 200, description = "Events", content_type = "text/event-stream", body = serde_json::Value))
 )]
-pub(crate) async fn events(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn events(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let asked = call.query.number("since", 0..=i64::MAX.unsigned_abs());
     call.query.finish()?;
     let number = |text: &str| text.trim().parse::<u64>().ok().filter(|number| i64::try_from(*number).is_ok());
@@ -66,7 +66,7 @@ struct Follower {
     rights: Rights,
     stop: CancellationToken,
     waiting: VecDeque<Event>,
-    _place: [Option<Taken>; 2],
+    _place: [Option<SharePermit>; 2],
 }
 
 impl Follower {

@@ -1,6 +1,6 @@
 //! `/v1/tickets`: permissions for browsers to read one resource for a minute.
 
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::ticketed::is_path_for_tickets;
@@ -42,7 +42,7 @@ pub(crate) struct TicketDocument {
     request_body = NewTicketDocument,
     responses((status = 201, description = "Created", body = TicketDocument))
 )]
-pub(crate) async fn create(mut call: Call, request: Request) -> Result<Response, Problem> {
+pub(crate) async fn create(mut call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
     let NewTicketDocument { path } = call.small_json(request).await?;
     if !is_path_for_tickets(&path) {
         let detail = "must be /v1/events, or the path of a job or an upload, or of its events or a download below it, without a query";

@@ -1,6 +1,6 @@
 //! `/v1/jobs/{id}/trace`: the energy trace, live.
 
-use crate::http::call::Call;
+use crate::http::call::AuthorizedRequest;
 use crate::http::problem::Problem;
 use crate::http::wire::TraceDocument;
 use axum::Json;
@@ -19,7 +19,7 @@ const MAX_POINTS: u32 = 10_000;
     ),
     responses((status = 200, description = "Points", body = TraceDocument))
 )]
-pub(crate) async fn trace(mut call: Call) -> Result<Json<TraceDocument>, Problem> {
+pub(crate) async fn trace(mut call: AuthorizedRequest) -> Result<Json<TraceDocument>, Problem> {
     let after_seq = call.query.number("after_seq", 0..=u64::MAX).unwrap_or(0);
     let limit = call.query.number("limit", 1..=MAX_POINTS).unwrap_or(DEFAULT_POINTS);
     call.query.finish()?;

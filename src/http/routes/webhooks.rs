@@ -1,6 +1,6 @@
 //! `/v1/webhooks`: notifications of state changes.
 
-use crate::http::call::{Call, PageOf, WebhookId};
+use crate::http::call::{AuthorizedRequest, PageOf, WebhookId};
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::router::HttpState;
@@ -186,7 +186,7 @@ fn checked_url(state: &HttpState, url: &str) -> Result<(), Problem> {
     request_body = NewWebhookDocument,
     responses((status = 201, description = "Created", body = WebhookDocument, headers(("Location" = String, description = "The webhook"))))
 )]
-pub(crate) async fn create(mut call: Call, request: Request) -> Result<Response, Problem> {
+pub(crate) async fn create(mut call: AuthorizedRequest, request: Request) -> Result<Response, Problem> {
     let NewWebhookDocument { url, states } = call.small_json(request).await?;
     checked_url(&call.state, &url)?;
     let new = Webhook {
@@ -214,7 +214,7 @@ pub(crate) async fn create(mut call: Call, request: Request) -> Result<Response,
     get, path = "/v1/webhooks",
     responses((status = 200, description = "A page", body = WebhookListDocument))
 )]
-pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn list(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let PageOf { size, after, fields } = call.last_page::<_, WebhookDocument>(Cursor::from_token)?;
     let page = call.service().webhooks().list_webhooks(&call.tenant, size, after).await?;
     let webhooks = page.webhooks.into_iter().map(|webhook| WebhookDocument::of(webhook, false)).collect();
@@ -227,7 +227,7 @@ pub(crate) async fn list(mut call: Call) -> Result<Response, Problem> {
     get, path = "/v1/webhooks/{id}",
     responses((status = 200, description = "The webhook", body = WebhookDocument))
 )]
-pub(crate) async fn get(mut call: Call) -> Result<Json<WebhookDocument>, Problem> {
+pub(crate) async fn get(mut call: AuthorizedRequest) -> Result<Json<WebhookDocument>, Problem> {
     let WebhookId(id) = call.last_id()?;
     Ok(Json(WebhookDocument::of(call.service().webhooks().get_webhook(&call.tenant, &id).await?, false)))
 }
@@ -240,7 +240,7 @@ pub(crate) async fn get(mut call: Call) -> Result<Json<WebhookDocument>, Problem
     request_body = WebhookChangeDocument,
     responses((status = 200, description = "Updated", body = WebhookDocument))
 )]
-pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<WebhookDocument>, Problem> {
+pub(crate) async fn update(mut call: AuthorizedRequest, request: Request) -> Result<Json<WebhookDocument>, Problem> {
     let WebhookChangeDocument { url, states, enabled } = call.small_json(request).await?;
     if let Some(url) = &url {
         checked_url(&call.state, url)?;
@@ -257,7 +257,7 @@ pub(crate) async fn update(mut call: Call, request: Request) -> Result<Json<Webh
 ///
 /// Deletes its delivery log too. Pending deliveries are not sent.
 #[utoipa::path(delete, path = "/v1/webhooks/{id}", responses((status = 204, description = "Deleted")))]
-pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
+pub(crate) async fn delete(mut call: AuthorizedRequest) -> Result<StatusCode, Problem> {
     let WebhookId(id) = call.last_id()?;
     call.service().webhooks().delete_webhook(&call.tenant, &id).await?;
     Ok(StatusCode::NO_CONTENT)
@@ -270,7 +270,7 @@ pub(crate) async fn delete(mut call: Call) -> Result<StatusCode, Problem> {
     get, path = "/v1/webhooks/{id}/deliveries",
     responses((status = 200, description = "A page", body = DeliveryListDocument))
 )]
-pub(crate) async fn deliveries(mut call: Call) -> Result<Response, Problem> {
+pub(crate) async fn deliveries(mut call: AuthorizedRequest) -> Result<Response, Problem> {
     let PageOf { size, after, fields } = call.last_page::<_, DeliveryDocument>(Cursor::from_token)?;
     let WebhookId(id) = call.id()?;
     let page = call.service().webhooks().list_deliveries(&call.tenant, &id, size, after).await?;
@@ -286,7 +286,7 @@ pub(crate) async fn deliveries(mut call: Call) -> Result<Response, Problem> {
     post, path = "/v1/webhooks/{id}/test",
     responses((status = 202, description = "The delivery is queued", body = DeliveryDocument))
 )]
-pub(crate) async fn test(mut call: Call) -> Result<(StatusCode, Json<DeliveryDocument>), Problem> {
+pub(crate) async fn test(mut call: AuthorizedRequest) -> Result<(StatusCode, Json<DeliveryDocument>), Problem> {
     let WebhookId(id) = call.last_id()?;
     let payload =
         json!({"type": "webhook.test", "timestamp": Timestamp::now(), "data": {"webhook_id": id}}).to_string();

@@ -89,7 +89,12 @@ impl Database {
                 let options = PgConnectOptions::from_str(url).map_err(domain_error)?.application_name("homolog");
                 // The pool reports only that it found no connection in time; the first one says why.
                 let first = tokio::time::timeout(CONNECT_TIMEOUT, options.connect()).await;
-                first.unwrap_or(Err(sqlx::Error::PoolTimedOut)).map_err(domain_error)?.close().await.map_err(domain_error)?;
+                first
+                    .unwrap_or(Err(sqlx::Error::PoolTimedOut))
+                    .map_err(domain_error)?
+                    .close()
+                    .await
+                    .map_err(domain_error)?;
                 let pool = PgPoolOptions::new()
                     .max_connections(*max_connections)
                     .acquire_timeout(CONNECT_TIMEOUT)

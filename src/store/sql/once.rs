@@ -2,11 +2,15 @@
 
 use super::database::{Session, bind};
 use super::dialect::sql;
-use crate::jobs::{JobError, Made, Once, OnceStatus};
+use crate::jobs::{IdempotencyKey, JobError, Made, OnceStatus};
 use std::time::Duration;
 
 /// Reserves a key, or returns the outcome of an earlier request under it.
-pub(super) async fn begin_once(session: &mut Session, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError> {
+pub(super) async fn begin_once(
+    session: &mut Session,
+    once: &IdempotencyKey,
+    busy_for: Duration,
+) -> Result<OnceStatus, JobError> {
     let arguments = bind![&once.tenant, &once.name, &once.fingerprint, &once.token, busy_for];
     // Succeeds if the key is free or has expired; waits for a concurrent transaction that is reserving it.
     if session.execute(sql!("begin_once"), arguments).await? == 1 {
@@ -28,7 +32,7 @@ pub(super) async fn begin_once(session: &mut Session, once: &Once, busy_for: Dur
 
 /// Records the outcome of a request under a key. [`JobError::LeaseLost`] if another request has taken the key in the
 /// meantime; this request must then create nothing.
-pub(super) async fn finish_once(session: &mut Session, once: &Once, made: Made) -> Result<(), JobError> {
+pub(super) async fn finish_once(session: &mut Session, once: &IdempotencyKey, made: Made) -> Result<(), JobError> {
     let arguments = bind![&once.tenant, &once.name, &once.token, made.to_text(), once.keep_for];
     match session.execute(sql!("finish_once"), arguments).await? {
         1 => Ok(()),

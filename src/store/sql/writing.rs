@@ -6,8 +6,8 @@ use super::reading::{get_job, queue_length};
 use super::{SqlStore, batches, blobs, once, rows};
 use crate::jobs::metadata::ExternalRef;
 use crate::jobs::{
-    Admission, ArtifactKey, ArtifactKind, ArtifactRef, Batch, CancelEffect, Failure, Job, JobError, JobId, JobState,
-    JobWriter, Made, NewBatch, NewJob, Once, OnceStatus, Tenant, cancel_effect,
+    Admission, ArtifactKey, ArtifactKind, ArtifactRef, Batch, CancelEffect, Failure, IdempotencyKey, Job, JobError,
+    JobId, JobState, JobWriter, Made, NewBatch, NewJob, OnceStatus, Tenant, cancel_effect,
 };
 use async_trait::async_trait;
 use std::time::Duration;
@@ -123,17 +123,17 @@ impl JobWriter for SqlStore {
             .await
     }
 
-    async fn begin_once(&self, once: &Once, busy_for: Duration) -> Result<OnceStatus, JobError> {
+    async fn begin_once(&self, once: &IdempotencyKey, busy_for: Duration) -> Result<OnceStatus, JobError> {
         self.database.transaction(async |session| once::begin_once(session, once, busy_for).await).await
     }
 
-    async fn extend_once(&self, once: &Once, busy_for: Duration) -> Result<(), JobError> {
+    async fn extend_once(&self, once: &IdempotencyKey, busy_for: Duration) -> Result<(), JobError> {
         let arguments = bind![&once.tenant, &once.name, &once.token, busy_for];
         let extended = self.database.transaction(async |session| session.execute(sql!("extend_once"), arguments).await);
         extended.await.map(|_| ())
     }
 
-    async fn give_up_once(&self, once: &Once) -> Result<(), JobError> {
+    async fn give_up_once(&self, once: &IdempotencyKey) -> Result<(), JobError> {
         let arguments = bind![&once.tenant, &once.name, &once.token];
         let given_up =
             self.database.transaction(async |session| session.execute(sql!("give_up_once"), arguments).await);

@@ -4,7 +4,7 @@
 //! It prints and logs nothing, and ends when the connection closes.
 
 use super::limits;
-use super::messages::{Beginning, KeptSurfaces, Outcome, Request, Told};
+use super::messages::{ChildMessage, Handshake, KeptSurfaces, Outcome, Request};
 use super::protocol::{FrameError, Longest, read_frame, write_frame};
 use super::sandbox;
 use crate::jobs::engine::Answer;
@@ -43,7 +43,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
     leave_with(parent)?;
     let stream = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
     let channel = Channel(Arc::new(Mutex::new(stream)));
-    let (beginning, _): (Beginning, _) = channel.read()?;
+    let (beginning, _): (Handshake, _) = channel.read()?;
     if beginning.version != version() {
         return Err(io::Error::other("the parent is another version of the program").into());
     }
@@ -61,7 +61,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
     let confinement = sandbox::enter();
     lower_priority_of_global_pool();
     let scratch_bytes = after.data.saturating_sub(before.data);
-    channel.tell(&Told::Ready { confinement, scratch_bytes }, &[])?;
+    channel.tell(&ChildMessage::Ready { confinement, scratch_bytes }, &[])?;
     let engine = MatchEngine::new(beginning.limits, beginning.prepared_bytes);
     loop {
         let (request, body) = match channel.read() {
@@ -76,7 +76,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
             Err(_) => (Outcome::Panicked(PANIC.lock().unwrap_or_else(PoisonError::into_inner).take()), Vec::new()),
         };
         let kept = counts.taken();
-        channel.tell(&Told::Done { outcome, kept }, &[&body])?;
+        channel.tell(&ChildMessage::Done { outcome, kept }, &[&body])?;
     }
 }
 
@@ -192,7 +192,7 @@ fn compute(
     Ok(match computed {
         Ok(Answer { products, verdict }) => {
             for product in products {
-                channel.tell(&Told::Product(product.kind), &[&product.bytes])?;
+                channel.tell(&ChildMessage::Product(product.kind), &[&product.bytes])?;
             }
             Outcome::Answered(verdict)
         }
@@ -213,7 +213,7 @@ impl Channel {
         read_frame(&mut *self.lock(), Longest::FROM_PARENT)
     }
 
-    fn tell(&self, told: &Told, body: &[&[u8]]) -> Result<(), FrameError> {
+    fn tell(&self, told: &ChildMessage, body: &[&[u8]]) -> Result<(), FrameError> {
         Ok(write_frame(&mut *self.lock(), told, body)?)
     }
 
@@ -227,7 +227,7 @@ impl StudyInputs for Channel {
     fn read(&self, hash: &str) -> io::Result<Vec<u8>> {
         // Locked from request to answer, so that another thread cannot receive the answer to this request.
         let mut stream = self.lock();
-        write_frame(&mut *stream, &Told::Fetch(hash.to_owned()), &[])?;
+        write_frame(&mut *stream, &ChildMessage::Fetch(hash.to_owned()), &[])?;
         match read_frame(&mut *stream, Longest::FROM_PARENT) {
             Ok((Request::Fetched { error: None }, bytes)) => Ok(bytes),
             Ok((Request::Fetched { error: Some(why) }, _)) => Err(io::Error::other(why)),
@@ -244,7 +244,7 @@ struct Reporter {
 }
 
 impl Reporter {
-    fn tell(&self, told: &Told) {
+    fn tell(&self, told: &ChildMessage) {
         if self.channel.tell(told, &[]).is_err() {
             // The parent no longer waits for this computation.
             std::process::exit(1);
@@ -254,19 +254,19 @@ impl Reporter {
 
 impl Observer for Reporter {
     fn phase(&self, phase: Phase) {
-        self.tell(&Told::Phase(phase));
+        self.tell(&ChildMessage::Phase(phase));
     }
 
     fn progress(&self, fraction: f64) {
         let mut told = self.progress.lock().unwrap_or_else(PoisonError::into_inner);
         if fraction >= *told + STEP_OF_PROGRESS || (fraction >= 1.0 && *told < 1.0) {
             *told = fraction.min(1.0);
-            self.tell(&Told::Progress(*told));
+            self.tell(&ChildMessage::Progress(*told));
         }
     }
 
     fn trace(&self, point: &TracePoint) {
-        self.tell(&Told::Trace(point.clone()));
+        self.tell(&ChildMessage::Trace(point.clone()));
     }
 }
 

@@ -1,15 +1,15 @@
 //! The engine that computes in child processes.
 
-use super::limits::{BESIDES, Bounds, Most};
-use super::messages::{Beginning, Confinement, KeptSurfaces, Outcome, Request, Told};
-use super::pool::{Children, Upbringing, end, ended};
-use super::process::{Broken, Child, Death};
+use super::limits::{BESIDES, Bounds, ComputeLimits};
+use super::messages::{ChildMessage, Confinement, Handshake, KeptSurfaces, Outcome, Request};
+use super::pool::{ChildSettings, Children, end, ended};
+use super::process::{AskError, Child, Death};
 use super::protocol::FrameError;
 use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
 use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault};
 use crate::jobs::{
-    Allotted, Computation, ComputeError, ComputeInputs, ComputesApart, Demand, Engine, Failure, InputBytes,
-    InputRefusal, InputSummary, InputView, JobInput, ParameterFault, PartFormat, PresentError, Purpose, ResultPart,
+    Allotted, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
+    InputSummary, InputView, JobInput, OutOfProcess, ParameterFault, PartFormat, PresentError, Purpose, ResultPart,
     SurfaceSize,
 };
 use crate::worker::match_engine::MatchEngine;
@@ -92,16 +92,16 @@ pub struct IsolatedEngine {
 #[derive(Debug)]
 struct Shared {
     children: Children,
-    most: Most,
+    most: ComputeLimits,
     n_threads: usize,
 }
 
 /// The result of a request: the answer, or why there is none.
-type Tried<T> = Result<T, Unanswered>;
+type RequestResult<T> = Result<T, RequestError>;
 
 /// Why a request has no answer.
 #[derive(Debug)]
-enum Unanswered {
+enum RequestError {
     /// No child could be started.
     NotStarted(io::Error),
     /// The caller stopped the request.
@@ -120,10 +120,10 @@ impl IsolatedEngine {
             settings;
         let at_once = at_once.max(1);
         let share = (prepared_bytes / at_once as u64).max(LEAST_PREPARED.min(prepared_bytes));
-        let beginning = Beginning { version: super::child::version(), limits, prepared_bytes: share };
-        let upbringing = Upbringing { program, beginning, n_threads: cores, most_resting: at_once };
+        let beginning = Handshake { version: super::child::version(), limits, prepared_bytes: share };
+        let upbringing = ChildSettings { program, beginning, n_threads: cores, most_resting: at_once };
         let (children, confinement) = Children::start(upbringing)?;
-        let most = Most { limits, budget: memory_bytes, besides };
+        let most = ComputeLimits { limits, budget: memory_bytes, besides };
         let shared = Arc::new(Shared { children, most, n_threads: cores });
         Ok(IsolatedEngine { local: MatchEngine::priced(limits, price, 0), shared, confinement })
     }
@@ -157,7 +157,7 @@ impl IsolatedEngine {
     }
 
     fn apart(&self, parameters: Value, local: Arc<dyn Computation>) -> Arc<dyn Computation> {
-        Arc::new(Apart { parameters, local, shared: Arc::clone(&self.shared) })
+        Arc::new(IsolatedComputation { parameters, local, shared: Arc::clone(&self.shared) })
     }
 }
 
@@ -213,12 +213,12 @@ impl Shared {
     }
 
     /// Sends a request to a fresh child that serves it alone: the content of these bytes is not yet known.
-    fn once(&self, request: &Request, body: &[&[u8]], n_bytes: u64) -> Tried<(Outcome, Vec<u8>)> {
+    fn once(&self, request: &Request, body: &[&[u8]], n_bytes: u64) -> RequestResult<(Outcome, Vec<u8>)> {
         let bounds = self.reading(n_bytes);
         tried(|| {
             let began = Instant::now();
             let stop = || began.elapsed() > READING_TIME;
-            let mut child = self.children.take_fresh().map_err(Unanswered::NotStarted)?;
+            let mut child = self.children.take_fresh().map_err(RequestError::NotStarted)?;
             match child.ask(request, body, bounds, &stop, &mut |_, _, _| Ok(())) {
                 Ok((outcome, body, _)) => {
                     end(child, "once");
@@ -231,17 +231,17 @@ impl Shared {
 }
 
 /// Tries a request again if its child died of a cause that may not be the request's fault.
-fn tried<T>(mut work: impl FnMut() -> Tried<T>) -> Tried<T> {
+fn tried<T>(mut work: impl FnMut() -> RequestResult<T>) -> RequestResult<T> {
     let mut n_tries = 0;
     loop {
         n_tries += 1;
         match work() {
-            Err(Unanswered::Died(death @ (Death::Killed | Death::Crashed { .. }))) if n_tries < TRIES => {
+            Err(RequestError::Died(death @ (Death::Killed | Death::Crashed { .. }))) if n_tries < TRIES => {
                 tracing::warn!(?death, "the process of a computation died; it is computed once more in another");
             }
-            Err(Unanswered::Died(death)) => {
+            Err(RequestError::Died(death)) => {
                 tracing::error!(?death, "the process of a computation died");
-                return Err(Unanswered::Died(death));
+                return Err(RequestError::Died(death));
             }
             done => return done,
         }
@@ -249,13 +249,13 @@ fn tried<T>(mut work: impl FnMut() -> Tried<T>) -> Tried<T> {
 }
 
 /// Why a child has not answered.
-fn unanswered(child: Child, broken: Broken) -> Unanswered {
+fn unanswered(child: Child, broken: AskError) -> RequestError {
     match broken {
-        Broken::Stopped => {
+        AskError::Stopped => {
             end(child, "stopped");
-            Unanswered::Stopped
+            RequestError::Stopped
         }
-        Broken::Lost(error) => {
+        AskError::Lost(error) => {
             let death = match error {
                 FrameError::Closed | FrameError::Io(_) => child.end(),
                 // A child that lives but sends malformed frames counts as dead.
@@ -266,25 +266,25 @@ fn unanswered(child: Child, broken: Broken) -> Unanswered {
             };
             ended(death.reason());
             tracing::warn!(%error, ?death, "a child was lost");
-            Unanswered::Died(death)
+            RequestError::Died(death)
         }
     }
 }
 
 /// A computation in children.
-struct Apart {
+struct IsolatedComputation {
     parameters: Value,
     local: Arc<dyn Computation>,
     shared: Arc<Shared>,
 }
 
-impl fmt::Debug for Apart {
+impl fmt::Debug for IsolatedComputation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.local.fmt(f)
     }
 }
 
-impl Apart {
+impl IsolatedComputation {
     fn input(&self, input: &InputBytes<'_>, view: Option<InputView>) -> Result<(Outcome, Vec<u8>), InputRefusal> {
         let request = Request::Input {
             parameters: self.parameters.clone(),
@@ -300,14 +300,14 @@ impl Apart {
                 uncheckable()
             }
             Ok(done) => Ok(done),
-            Err(Unanswered::Died(Death::Memory)) => Err(too_large(format!(
+            Err(RequestError::Died(Death::Memory)) => Err(too_large(format!(
                 "reading this file takes more memory than the {} bytes that one file may take",
                 self.shared.reading(n_bytes).memory_bytes
             ))),
-            Err(Unanswered::Stopped | Unanswered::Died(Death::Time)) => {
+            Err(RequestError::Stopped | RequestError::Died(Death::Time)) => {
                 Err(too_large(format!("reading this file takes longer than {} s", READING_TIME.as_secs())))
             }
-            Err(Unanswered::Died(_) | Unanswered::NotStarted(_)) => uncheckable(),
+            Err(RequestError::Died(_) | RequestError::NotStarted(_)) => uncheckable(),
         }
     }
 }
@@ -321,7 +321,7 @@ fn uncheckable<T>() -> T {
     std::panic::resume_unwind(Box::new("the check of an input has no outcome"))
 }
 
-impl Computation for Apart {
+impl Computation for IsolatedComputation {
     fn check_input(&self, input: &InputBytes<'_>) -> Result<InputSummary, InputRefusal> {
         match self.input(input, None)? {
             (Outcome::Fit(summary), _) => Ok(summary),
@@ -347,15 +347,15 @@ impl Computation for Apart {
     fn compute(&self, inputs: &ComputeInputs, observer: &dyn Observer) -> Result<Answer, ComputeError> {
         let n_threads = rayon::current_num_threads();
         let allotted = Allotted { n_threads, memory_bytes: 0, max_run: Duration::MAX, owner: "" };
-        ComputesApart::compute(self, inputs, &allotted, observer)
+        OutOfProcess::compute(self, inputs, &allotted, observer)
     }
 
-    fn apart(&self) -> Option<&dyn ComputesApart> {
+    fn apart(&self) -> Option<&dyn OutOfProcess> {
         Some(self)
     }
 }
 
-impl ComputesApart for Apart {
+impl OutOfProcess for IsolatedComputation {
     fn compute(
         &self,
         inputs: &ComputeInputs,
@@ -393,20 +393,20 @@ impl ComputesApart for Apart {
         };
         let reported = AtomicUsize::new(0);
         let computed = tried(|| {
-            let child = self.shared.children.take(allotted.owner, &hashes).map_err(Unanswered::NotStarted)?;
-            let observer = Continued { inner: observer, reported: &reported, seen: AtomicUsize::new(0) };
+            let child = self.shared.children.take(allotted.owner, &hashes).map_err(RequestError::NotStarted)?;
+            let observer = ResumedObserver { inner: observer, reported: &reported, seen: AtomicUsize::new(0) };
             self.attempt(child, &request, &body, bounds, inputs, &observer)
         });
         match computed {
             Ok(answered) => answered,
-            Err(Unanswered::Stopped) => Err(ComputeError::Cancelled),
-            Err(Unanswered::NotStarted(error)) => Err(ComputeError::NotStarted(error.to_string())),
-            Err(Unanswered::Died(death)) => Err(ComputeError::Failed(failure(death, bounds))),
+            Err(RequestError::Stopped) => Err(ComputeError::Cancelled),
+            Err(RequestError::NotStarted(error)) => Err(ComputeError::NotStarted(error.to_string())),
+            Err(RequestError::Died(death)) => Err(ComputeError::Failed(failure(death, bounds))),
         }
     }
 }
 
-impl Apart {
+impl IsolatedComputation {
     fn attempt(
         &self,
         mut child: Child,
@@ -415,16 +415,18 @@ impl Apart {
         bounds: Bounds,
         inputs: &ComputeInputs,
         observer: &dyn Observer,
-    ) -> Tried<Result<Answer, ComputeError>> {
+    ) -> RequestResult<Result<Answer, ComputeError>> {
         let mut products = Vec::new();
-        let mut hear = |told: Told, body: Vec<u8>, child: &mut dyn Write| -> io::Result<()> {
+        let mut hear = |told: ChildMessage, body: Vec<u8>, child: &mut dyn Write| -> io::Result<()> {
             match told {
-                Told::Phase(phase) => observer.phase(phase),
-                Told::Progress(fraction) => observer.progress(fraction),
-                Told::Trace(point) => observer.trace(&point),
-                Told::Product(kind) => products.push(Product { kind, bytes: body }),
-                Told::Fetch(hash) => fetch(&inputs.purpose, &hash, child)?,
-                Told::Ready { .. } | Told::Done { .. } => return Err(io::Error::other("a child spoke out of turn")),
+                ChildMessage::Phase(phase) => observer.phase(phase),
+                ChildMessage::Progress(fraction) => observer.progress(fraction),
+                ChildMessage::Trace(point) => observer.trace(&point),
+                ChildMessage::Product(kind) => products.push(Product { kind, bytes: body }),
+                ChildMessage::Fetch(hash) => fetch(&inputs.purpose, &hash, child)?,
+                ChildMessage::Ready { .. } | ChildMessage::Done { .. } => {
+                    return Err(io::Error::other("a child spoke out of turn"));
+                }
             }
             Ok(())
         };
@@ -451,7 +453,7 @@ impl Apart {
             }
             Outcome::NoThreads(error) => {
                 end(child, "failed");
-                Err(Unanswered::NotStarted(io::Error::other(error)))
+                Err(RequestError::NotStarted(io::Error::other(error)))
             }
             _ => {
                 end(child, "failed");
@@ -522,7 +524,7 @@ fn internal_error() -> Failure {
 }
 
 /// Passes on the reports of a computation, except those that an earlier try has already passed on.
-struct Continued<'a> {
+struct ResumedObserver<'a> {
     inner: &'a dyn Observer,
     /// Points that all tries together have passed on.
     reported: &'a AtomicUsize,
@@ -530,7 +532,7 @@ struct Continued<'a> {
     seen: AtomicUsize,
 }
 
-impl Observer for Continued<'_> {
+impl Observer for ResumedObserver<'_> {
     fn inner(&self) -> Option<&dyn Observer> {
         Some(self.inner)
     }
@@ -566,7 +568,7 @@ mod tests {
     fn a_second_try_reports_only_what_the_first_one_did_not() {
         let (heard, reported) = (Heard::default(), AtomicUsize::new(0));
         for n_points in [3, 0, 5] {
-            let observer = Continued { inner: &heard, reported: &reported, seen: AtomicUsize::new(0) };
+            let observer = ResumedObserver { inner: &heard, reported: &reported, seen: AtomicUsize::new(0) };
             (1..=n_points).for_each(|i| observer.trace(&TracePoint::new(0, Phase::Inference, i)));
         }
         assert_eq!(*heard.0.lock().unwrap(), [1, 2, 3, 4, 5]);
@@ -578,11 +580,11 @@ mod tests {
             [(Death::Memory, 1), (Death::Time, 1), (Death::Killed, TRIES), (Death::Crashed { signal: Some(11) }, TRIES)]
         {
             let mut n_tries = 0;
-            let done: Tried<()> = tried(|| {
+            let done: RequestResult<()> = tried(|| {
                 n_tries += 1;
-                Err(Unanswered::Died(death))
+                Err(RequestError::Died(death))
             });
-            assert!(matches!(done, Err(Unanswered::Died(of)) if of == death));
+            assert!(matches!(done, Err(RequestError::Died(of)) if of == death));
             assert_eq!(n_tries, expected, "{death:?}");
         }
     }

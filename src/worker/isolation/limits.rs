@@ -41,7 +41,7 @@ pub(super) struct Bounds {
 
 impl Bounds {
     /// Limits of a computation over inputs of `input_bytes`.
-    pub(super) fn of_computation(allotted: &Allotted<'_>, most: &Most, input_bytes: u64) -> Self {
+    pub(super) fn of_computation(allotted: &Allotted<'_>, most: &ComputeLimits, input_bytes: u64) -> Self {
         let n_threads = allotted.n_threads.max(1) as u64;
         // A job without a prediction is bounded by the memory that any match may take.
         let planned = if allotted.memory_bytes == 0 { most.limits.max_match_bytes } else { allotted.memory_bytes };
@@ -52,7 +52,7 @@ impl Bounds {
     }
 
     /// Limits of reading an input of `n_bytes` within `time`, on all cores.
-    pub(super) fn of_reading(most: &Most, n_bytes: u64, n_threads: usize, time: Duration) -> Self {
+    pub(super) fn of_reading(most: &ComputeLimits, n_bytes: u64, n_threads: usize, time: Duration) -> Self {
         let n_threads = n_threads.max(1) as u64;
         let cpu = time.saturating_mul(u32::try_from(n_threads).unwrap_or(u32::MAX)).saturating_add(CPU_BESIDES);
         Bounds { memory_bytes: most.reading(n_bytes).saturating_add(most.besides), n_threads, cpu }
@@ -61,7 +61,7 @@ impl Bounds {
 
 /// Limits from the settings of a process.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Most {
+pub(super) struct ComputeLimits {
     /// Limits on inputs.
     pub(super) limits: IntakeLimits,
     /// Memory for jobs, bytes. No reading may take more.
@@ -70,7 +70,7 @@ pub(super) struct Most {
     pub(super) besides: u64,
 }
 
-impl Most {
+impl ComputeLimits {
     /// Memory for reading files of `n_bytes` together: their decompressed size, and the box of a volume.
     fn reading(&self, n_bytes: u64) -> u64 {
         let IntakeLimits { max_inflation, max_inflated_bytes, max_voxels, .. } = self.limits;
@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn bounds_grow_with_what_was_planned_and_never_overflow() {
-        let most = Most { limits: IntakeLimits::default(), budget: 4 << 30, besides: BESIDES };
+        let most = ComputeLimits { limits: IntakeLimits::default(), budget: 4 << 30, besides: BESIDES };
         let of = |memory_bytes, n_threads, max_run| {
             let allotted = Allotted { n_threads, memory_bytes, max_run, owner: "" };
             Bounds::of_computation(&allotted, &most, 1000)

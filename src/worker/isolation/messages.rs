@@ -14,7 +14,7 @@ use serde_json::Value;
 
 /// The first message to a child.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Beginning {
+pub(super) struct Handshake {
     /// The version of the parent; a child of another version ends.
     pub(super) version: String,
     /// Limits on inputs.
@@ -140,7 +140,7 @@ impl From<WirePart> for ResultPart {
 /// A message from a child. Every message after the first one belongs to a request.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum Told {
+pub(super) enum ChildMessage {
     /// The child takes requests.
     Ready {
         /// The confinement of the child.
@@ -267,8 +267,8 @@ mod tests {
         ) {
             let [energy, energy_unary, temperature, lower_bound] = numbers.map(Some);
             let point = TracePoint { energy, energy_unary, temperature, lower_bound, ..TracePoint::new(1, Phase::Inference, iteration) };
-            let text = serde_json::to_string(&Told::Trace(point.clone())).unwrap();
-            let Told::Trace(read) = serde_json::from_str(&text).unwrap() else { panic!("{text}") };
+            let text = serde_json::to_string(&ChildMessage::Trace(point.clone())).unwrap();
+            let ChildMessage::Trace(read) = serde_json::from_str(&text).unwrap() else { panic!("{text}") };
             prop_assert_eq!(format!("{read:?}"), format!("{point:?}"));
         }
     }
@@ -295,11 +295,11 @@ mod tests {
     fn limits_cross_unchanged() {
         let limits =
             IntakeLimits { max_voxels: 7, max_inflation: 3, max_match_bytes: u64::MAX, ..IntakeLimits::default() };
-        let beginning = Beginning { version: "v".to_owned(), limits, prepared_bytes: 1 };
+        let beginning = Handshake { version: "v".to_owned(), limits, prepared_bytes: 1 };
         let text = serde_json::to_string(&beginning).unwrap();
-        assert_eq!(serde_json::from_str::<Beginning>(&text).unwrap(), beginning);
+        assert_eq!(serde_json::from_str::<Handshake>(&text).unwrap(), beginning);
         // A program with one field more or fewer has another version.
         let other = text.replacen("max_voxels", "most_voxels", 1);
-        assert!(serde_json::from_str::<Beginning>(&other).is_err());
+        assert!(serde_json::from_str::<Handshake>(&other).is_err());
     }
 }

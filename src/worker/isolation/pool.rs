@@ -5,7 +5,7 @@
 //! prepared. It is ended after a minute of rest, when more children rest than jobs may run, when it has grown, and
 //! after any failure.
 
-use super::messages::{Beginning, Confinement, KeptSurfaces};
+use super::messages::{Confinement, Handshake, KeptSurfaces};
 use super::process::Child;
 use std::io;
 use std::path::PathBuf;
@@ -23,11 +23,11 @@ const GROWTH: u64 = 256 << 20;
 
 /// Settings with which children are started.
 #[derive(Debug, Clone)]
-pub(super) struct Upbringing {
+pub(super) struct ChildSettings {
     /// The program.
     pub(super) program: PathBuf,
     /// The first message to each child.
-    pub(super) beginning: Beginning,
+    pub(super) beginning: Handshake,
     /// Threads of each child for work without dedicated threads.
     pub(super) n_threads: usize,
     /// Most children that rest at the same time.
@@ -43,7 +43,7 @@ pub(super) struct Children {
 
 #[derive(Debug)]
 struct Shared {
-    upbringing: Upbringing,
+    upbringing: ChildSettings,
     waiting: Mutex<Waiting>,
 }
 
@@ -69,7 +69,7 @@ impl Shared {
     }
 
     fn start(&self) -> io::Result<Child> {
-        let Upbringing { program, beginning, n_threads, .. } = &self.upbringing;
+        let ChildSettings { program, beginning, n_threads, .. } = &self.upbringing;
         Child::start(program, beginning, *n_threads)
     }
 }
@@ -79,7 +79,7 @@ impl Children {
     ///
     /// # Errors
     /// If the child does not start.
-    pub(super) fn start(upbringing: Upbringing) -> io::Result<(Self, Confinement)> {
+    pub(super) fn start(upbringing: ChildSettings) -> io::Result<(Self, Confinement)> {
         let shared = Arc::new(Shared { upbringing, waiting: Mutex::default() });
         let (orders, received) = channel();
         let of_thread = Arc::clone(&shared);

@@ -1,7 +1,7 @@
 //! One child, as its parent sees it: start, requests, limits, end, and the cause of its death.
 
 use super::limits::{self, Bounds};
-use super::messages::{Beginning, Confinement, KeptSurfaces, Outcome, Request, Told};
+use super::messages::{ChildMessage, Confinement, Handshake, KeptSurfaces, Outcome, Request};
 use super::protocol::{FrameError, Longest, read_frame, write_frame};
 use std::collections::VecDeque;
 use std::io::{self, Read, Write};
@@ -33,7 +33,7 @@ const OUT_OF_TIME: i32 = 24;
 
 /// Why a request has no answer.
 #[derive(Debug)]
-pub(super) enum Broken {
+pub(super) enum AskError {
     /// The caller stopped the request.
     Stopped,
     /// The connection ended, or a frame was malformed.
@@ -79,7 +79,7 @@ impl Death {
 }
 
 /// Receives what a child sends before its last answer, and may answer through the connection.
-pub(super) type Hear<'a> = dyn FnMut(Told, Vec<u8>, &mut dyn Write) -> io::Result<()> + 'a;
+pub(super) type Hear<'a> = dyn FnMut(ChildMessage, Vec<u8>, &mut dyn Write) -> io::Result<()> + 'a;
 
 /// A child that waits for requests. Dropping it kills it.
 #[derive(Debug)]
@@ -105,7 +105,7 @@ impl Child {
     ///
     /// # Errors
     /// Those of the system; a child of another version of the program.
-    pub(super) fn start(program: &Path, beginning: &Beginning, n_threads: usize) -> io::Result<Self> {
+    pub(super) fn start(program: &Path, beginning: &Handshake, n_threads: usize) -> io::Result<Self> {
         let (ours, theirs) = UnixStream::pair()?;
         let mut process = Command::new(program)
             .arg0("homolog")
@@ -140,7 +140,7 @@ impl Child {
         let ready = write_frame(&mut patient, beginning, &[]).map_err(FrameError::from);
         let ready = ready.and_then(|()| read_frame(&mut patient, Longest { head: LONGEST_HEAD, body: 0 }));
         match ready {
-            Ok((Told::Ready { confinement, scratch_bytes }, _)) => {
+            Ok((ChildMessage::Ready { confinement, scratch_bytes }, _)) => {
                 (child.confinement, child.scratch_bytes) = (confinement, scratch_bytes);
                 child.resident_at_start = child.resident();
                 Ok(child)
@@ -157,7 +157,7 @@ impl Child {
     /// between, and may answer through its last argument. Frames may have bodies of `longest_body` bytes together.
     ///
     /// # Errors
-    /// [`Broken`]; the child cannot be used any more.
+    /// [`AskError`]; the child cannot be used any more.
     pub(super) fn ask(
         &mut self,
         request: &Request,
@@ -165,10 +165,10 @@ impl Child {
         bounds: Bounds,
         stop: &dyn Fn() -> bool,
         hear: &mut Hear<'_>,
-    ) -> Result<(Outcome, Vec<u8>, KeptSurfaces), Broken> {
+    ) -> Result<(Outcome, Vec<u8>, KeptSurfaces), AskError> {
         limits::bound(self.process.id(), bounds, self.scratch_bytes);
         let mut patient = Patient { stream: &self.stream, stop };
-        let broken = |error: FrameError| if stop() { Broken::Stopped } else { Broken::Lost(error) };
+        let broken = |error: FrameError| if stop() { AskError::Stopped } else { AskError::Lost(error) };
         write_frame(&mut patient, request, body).map_err(|error| broken(error.into()))?;
         // An answer may take no more memory here than the computation may take in the child.
         let mut left = bounds.memory_bytes;
@@ -177,11 +177,11 @@ impl Child {
             let (told, body) = read_frame(&mut patient, longest).map_err(broken)?;
             left = left.saturating_sub(body.len() as u64);
             match told {
-                Told::Done { outcome, kept } => return Ok((outcome, body, kept)),
+                ChildMessage::Done { outcome, kept } => return Ok((outcome, body, kept)),
                 told => hear(told, body, &mut patient).map_err(|error| broken(error.into()))?,
             }
             if stop() {
-                return Err(Broken::Stopped);
+                return Err(AskError::Stopped);
             }
         }
     }

@@ -7,8 +7,8 @@ use super::site::{Backend, SOON, Site};
 use super::{on_both, on_postgres};
 use crate::store::{Fixture, LONG};
 use homolog::jobs::{
-    ArtifactKey, Attempted, BlobHolds, ClockState, Housekeeping, JobQueue, JobState, JobWriter, KeyStore, Once,
-    OnceStatus, Retention, Retentions, Ticket, TurnLimits, Webhook, WebhookStore,
+    ArtifactKey, Attempted, BlobHolds, ClockState, Housekeeping, IdempotencyKey, JobQueue, JobState, JobWriter,
+    KeyStore, OnceStatus, Retention, Retentions, Ticket, TurnLimits, Webhook, WebhookStore,
 };
 use serde_json::json;
 use std::time::{Duration, Instant};
@@ -81,7 +81,7 @@ async fn a24_no_wait_is_longer_after_the_clock_was_set_back_than_it_was_meant_to
     f.claim(LONG).await;
     let key = ArtifactKey::of(&f.tenant, b"held");
     f.store.hold_blobs("holder", std::slice::from_ref(&key), LONG, None).await.unwrap();
-    let once = Once {
+    let once = IdempotencyKey {
         tenant: f.tenant.clone(),
         name: "key".to_owned(),
         fingerprint: "f".to_owned(),

@@ -2,6 +2,7 @@
 //! contradicts itself is refused with what it states and what it holds.
 
 use crate::fixtures::fixture;
+use crate::samples::{gifti, surface, surfaces, volumes};
 use homolog_contract::result::UnreliableReason;
 use homolog_formats::{FileContent, FormatError, ReadFile, ReadLimits, ReadOptions, read, read_with};
 use homolog_mesh::SurfaceMesh;
@@ -9,7 +10,6 @@ use homolog_mesh::topology::topology_report;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::Point3;
 use proptest::prelude::*;
-use crate::samples::{gifti, surface, surfaces, volumes};
 
 fn file(bytes: &[u8], name: Option<&str>) -> Result<ReadFile, FormatError> {
     read(bytes, name, &ReadLimits::default())

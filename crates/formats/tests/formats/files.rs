@@ -90,8 +90,8 @@ fn a_fixture_with_a_flipped_bit_of_its_trailer_is_refused() {
 
 /// Files of other programs and scanners, which are not part of the repository.
 mod real_data {
-    use crate::fixtures::{real, real_files};
     use super::*;
+    use crate::fixtures::{real, real_files};
 
     fn bytes(path: &str) -> Vec<u8> {
         std::fs::read(real(path)).unwrap()

@@ -1,5 +1,8 @@
 //! The same surface and the same label volume in every format, and files that are refused by name.
 
+use crate::samples::{
+    IDENTITY, affine, archive_of, dicom_seg, gifti, gzip, instances, labels, layered_nrrd, surface, surfaces, volumes,
+};
 use homolog_formats::{
     FileContent, FormatError, InputFormat, InputSpace, LabelChoice, ReadFile, ReadLimits, ReadOptions, read, read_with,
     write_zip,
@@ -7,9 +10,6 @@ use homolog_formats::{
 use homolog_mesh::SurfaceMesh;
 use homolog_mesh::volume::LabelVolume;
 use nalgebra::{Matrix4, Point3};
-use crate::samples::{
-    IDENTITY, affine, archive_of, dicom_seg, gifti, gzip, instances, labels, layered_nrrd, surface, surfaces, volumes,
-};
 
 fn read_file(bytes: &[u8], name: Option<&str>) -> Result<ReadFile, FormatError> {
     read(bytes, name, &ReadLimits::default())

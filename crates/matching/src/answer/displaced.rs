@@ -9,7 +9,7 @@ use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
 /// Result of the third stage for every vertex of the source as given, in canonical numbering.
-pub(crate) struct Displaced {
+pub(crate) struct VertexImages {
     /// The rigid transform.
     pub transform: RigidTransform,
     /// The target vertex of each source vertex.
@@ -29,14 +29,14 @@ pub(crate) struct Displaced {
     pub inference: Option<InferenceOutcome>,
 }
 
-impl Displaced {
+impl VertexImages {
     /// Converts this answer for `levels`, the source at another size with the same vertex numbering, to an answer for
     /// the source. `rigid` converts a transform of the resized source to one of the source.
     pub(crate) fn of_original(
         mut self,
         levels: &Levels,
         rigid: impl Fn(&RigidTransform) -> RigidTransform,
-    ) -> Displaced {
+    ) -> VertexImages {
         let order: Vec<usize> = levels.full.surface.numbering.by_original().into_iter().map(|(_, i)| i).collect();
         self.labeling = in_order(&order, &self.labeling);
         self.confidence = in_order(&order, &self.confidence);

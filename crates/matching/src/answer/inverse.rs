@@ -1,6 +1,6 @@
 //! The map from the target back to the source.
 
-use super::displaced::{Displaced, Images};
+use super::displaced::{Images, VertexImages};
 use crate::pair::scene::Scene;
 use homolog_contract::result::{Correspondences, OutlierReason};
 use homolog_mesh::ClosestPointIndex;
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 /// moved source is not finite.
 ///
 /// Cost `O(n' log n)`.
-pub(crate) fn inverse(scene: &Scene<'_>, answer: &Displaced) -> Option<Correspondences> {
+pub(crate) fn inverse(scene: &Scene<'_>, answer: &VertexImages) -> Option<Correspondences> {
     let source = scene.source.mesh();
     let moved = match &answer.images {
         Images::Smooth(smooth) => smooth.moved.clone(),

@@ -1,6 +1,6 @@
 //! Converts the images of a displacement field to an answer.
 
-use super::displaced::{Displaced, Images, SmoothImages};
+use super::displaced::{Images, SmoothImages, VertexImages};
 use super::displacement::DisplacementAnswer;
 use super::reliability::without_counterpart;
 use crate::pair::scene::Scene;
@@ -15,7 +15,7 @@ pub(crate) fn answered(
     starts: &[Start],
     found: &DisplacementAnswer,
     reliability: ReliabilityDocument,
-) -> Displaced {
+) -> VertexImages {
     let trust = if reliability.reliable { 1.0 } else { UNRELIABLE_CONFIDENCE };
     let no_counterpart = without_counterpart(scene.target.mesh(), scene.edge_mm, &found.images);
     let confidence = found
@@ -24,7 +24,7 @@ pub(crate) fn answered(
         .zip(&no_counterpart)
         .map(|(image, &alone)| if alone { 0.0 } else { trust * image.confidence })
         .collect();
-    Displaced {
+    VertexImages {
         transform: found.transform,
         labeling: found.images.iter().map(|image| image.label).collect(),
         confidence,

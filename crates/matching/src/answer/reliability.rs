@@ -2,9 +2,9 @@
 
 use super::displacement::DisplacementAnswer;
 use super::images::Image;
-use crate::poses::compared::{ComparedPose, Finer, Origin};
+use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
 use crate::surface::moments::AreaMoments;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 
@@ -49,7 +49,7 @@ pub(crate) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[
 
 /// Ratio of the lengths of two closed surfaces, at least 1. It is 1 if one is open, because a region of it may be
 /// missing.
-fn length_ratio(source: &Side, target: &Side) -> f64 {
+fn length_ratio(source: &SurfaceLevel, target: &SurfaceLevel) -> f64 {
     if source.is_open || target.is_open {
         return 1.0;
     }
@@ -69,7 +69,11 @@ pub(crate) fn likeness(found: &ReliabilityDocument) -> f64 {
 }
 
 /// Reliability of `found`, an answer for `source` on `target`.
-pub(crate) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Side) -> ReliabilityDocument {
+pub(crate) fn reliability(
+    found: &DisplacementAnswer,
+    source: &SurfaceLevel,
+    target: &SurfaceLevel,
+) -> ReliabilityDocument {
     let best = found.compared[0];
     let of = |mirrored: bool| {
         let others = found.compared[1..].iter().filter(|j| j.mirrored == mirrored).map(|j| j.misfit);
@@ -103,10 +107,10 @@ pub(crate) fn reliability(found: &DisplacementAnswer, source: &Side, target: &Si
     if unlike || best.origin.is_pose() && length_ratio(source, target) > MAX_LENGTH_RATIO {
         reasons.push(UnreliableReason::UnlikeShape);
     }
-    if found.compared[1..].iter().any(|other| other.finer == Finer::Better) {
+    if found.compared[1..].iter().any(|other| other.finer == ComparisonOutcome::Better) {
         reasons.push(UnreliableReason::OtherHandedness);
     }
-    let is_rival = |other: &ComparedPose| other.mirrored == best.mirrored && other.finer == Finer::AsGood;
+    let is_rival = |other: &ComparedPose| other.mirrored == best.mirrored && other.finer == ComparisonOutcome::AsGood;
     if found.compared[1..].iter().any(is_rival) {
         reasons.push(UnreliableReason::AmbiguousPose);
     }
@@ -126,9 +130,9 @@ mod tests {
 
     #[test]
     fn a_closer_look_at_another_start_decides_whether_an_answer_is_ambiguous() {
-        let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
-        let reasons = |misfit: f64, finer: Finer| {
-            let start = |misfit: f64, finer: Finer| ComparedPose {
+        let side = SurfaceLevel::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
+        let reasons = |misfit: f64, finer: ComparisonOutcome| {
+            let start = |misfit: f64, finer: ComparisonOutcome| ComparedPose {
                 origin: Origin::Straightened(RigidTransform::identity()),
                 mirrored: false,
                 misfit,
@@ -137,7 +141,7 @@ mod tests {
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),
-                compared: vec![start(1.4, Finer::Undecided), start(misfit, finer)],
+                compared: vec![start(1.4, ComparisonOutcome::Undecided), start(misfit, finer)],
                 residual_mm: 0.1,
                 agreement: Agreement { curvature: 0.9, normals: 0.95 },
                 distortion: 0.2,
@@ -146,15 +150,22 @@ mod tests {
             assert_eq!(found.runner_up_misfit, Some(misfit));
             found.reasons
         };
-        assert!(reasons(1.3, Finer::Outdone).is_empty() && reasons(1.3, Finer::Same).is_empty());
-        assert_eq!(reasons(1.6, Finer::AsGood), [UnreliableReason::AmbiguousPose]);
+        assert!(
+            reasons(1.3, ComparisonOutcome::Outdone).is_empty() && reasons(1.3, ComparisonOutcome::Same).is_empty()
+        );
+        assert_eq!(reasons(1.6, ComparisonOutcome::AsGood), [UnreliableReason::AmbiguousPose]);
     }
 
     #[test]
     fn normals_that_disagree_tell_structures_apart_but_not_of_thin_walls() {
-        let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
+        let side = SurfaceLevel::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
         let is_reliable = |normals: f64, distortion: f64| {
-            let best = ComparedPose { origin: Origin::Pose(0), mirrored: false, misfit: 1.2, finer: Finer::Undecided };
+            let best = ComparedPose {
+                origin: Origin::Pose(0),
+                mirrored: false,
+                misfit: 1.2,
+                finer: ComparisonOutcome::Undecided,
+            };
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),
@@ -170,12 +181,12 @@ mod tests {
 
     #[test]
     fn a_low_energy_of_near_isometries_speaks_for_one_structure_and_a_high_one_against_it() {
-        let side = Side::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
+        let side = SurfaceLevel::new(&ellipsoid(Vector3::new(6.0, 5.0, 4.0), 2));
         let is_reliable = |energy: Option<f64>, curvature: f64| {
             let pose = RigidTransform::identity();
             let isometry = |mean_energy| Origin::Isometry { pose, mean_energy };
             let origin = energy.map_or(Origin::Straightened(pose), isometry);
-            let best = ComparedPose { origin, mirrored: false, misfit: 1.2, finer: Finer::Undecided };
+            let best = ComparedPose { origin, mirrored: false, misfit: 1.2, finer: ComparisonOutcome::Undecided };
             let found = DisplacementAnswer {
                 images: Vec::new(),
                 transform: RigidTransform::identity(),
@@ -198,7 +209,7 @@ mod tests {
         // On a sphere the variance of a coordinate is a third of the squared radius.
         let sphere = ellipsoid(Vector3::new(6.0, 6.0, 6.0), 4);
         assert!((length_mm(&sphere) - 6.0 / 3f64.sqrt()).abs() < 0.02, "{}", length_mm(&sphere));
-        let [short, long] = [12.0, 24.0].map(|x| Side::new(&ellipsoid(Vector3::new(x, 5.0, 4.0), 4)));
+        let [short, long] = [12.0, 24.0].map(|x| SurfaceLevel::new(&ellipsoid(Vector3::new(x, 5.0, 4.0), 4)));
         assert!((1.9..2.1).contains(&length_ratio(&short, &long)), "{}", length_ratio(&short, &long));
         assert_eq!(length_ratio(&short, &long), length_ratio(&long, &short));
     }
@@ -209,7 +220,7 @@ mod tests {
         let kept = whole.triangles().into_iter().skip(40).flatten().collect();
         let open = SurfaceMesh::new(whole.vertices().to_vec(), FaceArity::Triangle, kept).unwrap();
         let short = ellipsoid(Vector3::new(6.0, 5.0, 4.0), 3);
-        let [whole, open, short] = [whole, open, short].map(|mesh| Side::new(&mesh));
+        let [whole, open, short] = [whole, open, short].map(|mesh| SurfaceLevel::new(&mesh));
         assert_eq!(length_ratio(&open, &short), 1.0);
         assert!(length_ratio(&whole, &short) > MAX_LENGTH_RATIO);
     }

@@ -2,15 +2,15 @@
 
 use super::consistency::topology_consistency_within;
 use super::deformation::deformation;
-use super::displaced::{Displaced, Images, labeling_of_energy};
+use super::displaced::{Images, VertexImages, labeling_of_energy};
 use super::inverse::inverse;
 use super::outcome::MatchOutcome;
 use super::outliers::{self, identify_outliers};
-use crate::pair::problem::{Coarse, EnergyProblem};
+use crate::pair::problem::{EnergyProblem, MatchProblem};
 use crate::pair::scene::Scene;
 use crate::pair::solver::solver;
-use crate::poses::posed::{InferredPose, Posed};
-use crate::surface::side::Side;
+use crate::poses::posed::{InferredPose, PoseResult};
+use crate::surface::side::SurfaceLevel;
 use homolog_contract::result::{
     ConsistencyDocument, Correspondences, DeformationDocument, EnergyDocument, OutlierReason, SimilarityDocument,
     StopReason, SupportDocument, SurfaceDistanceDocument, TransformDocument,
@@ -23,7 +23,7 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 
 /// The outcome of a match: results of the previous stages and measures of the answer, in the numbering of the inputs.
-pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> MatchOutcome {
+pub(crate) fn build_outcome(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>, answer: &VertexImages) -> MatchOutcome {
     let scene = &coarse.full;
     let energy = energy_of(coarse, posed, answer);
     let (surface_distance, of_pairs) = rayon::join(
@@ -33,9 +33,9 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
     let OfPairs { similarity, support, topology, deformation, mut correspondences } = of_pairs;
     correspondences.inverse = scene.parameters.both_directions.then(|| inverse(scene, answer)).flatten().map(Box::new);
     let (rounds, ambiguous_axes, stop_reason) = match posed {
-        Posed::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),
-        Posed::Registration(registered) => (Vec::new(), registered.ambiguous_axes, StopReason::RegistrationOnly),
-        Posed::ByField => match &answer.inference {
+        PoseResult::Inference { inferred, .. } => (inferred.rounds.clone(), false, inferred.stop_reason),
+        PoseResult::Registration(registered) => (Vec::new(), registered.ambiguous_axes, StopReason::RegistrationOnly),
+        PoseResult::ByField => match &answer.inference {
             Some(found) => (found.rounds.clone(), false, found.stop_reason),
             None => (Vec::new(), false, StopReason::RegistrationOnly),
         },
@@ -58,8 +58,8 @@ pub(crate) fn measured(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displace
 
 /// Energies of the answer, if an energy was minimized: of the images as labels, or of the labeling of the rounds if the
 /// source is moved rigidly.
-fn energy_of(coarse: &Coarse<'_>, posed: &Posed<'_>, answer: &Displaced) -> Option<EnergyDocument> {
-    let Posed::Inference { problem, inferred } = posed else {
+fn energy_of(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>, answer: &VertexImages) -> Option<EnergyDocument> {
+    let PoseResult::Inference { problem, inferred } = posed else {
         return answer.inference.as_ref().map(|found| found.energy.clone());
     };
     Some(match &answer.images {
@@ -79,7 +79,7 @@ struct OfPairs {
 }
 
 impl OfPairs {
-    fn new(scene: &Scene<'_>, posed: &Posed<'_>, answer: &Displaced) -> Self {
+    fn new(scene: &Scene<'_>, posed: &PoseResult<'_>, answer: &VertexImages) -> Self {
         let n = answer.labeling.len();
         let source = scene.source.mesh();
         let images = scene.images(&answer.labeling);
@@ -121,11 +121,11 @@ impl OfPairs {
             inverse: None,
         };
         let (trials, confidence_reached) = match posed {
-            Posed::Inference { inferred, .. } => match inferred.pose {
+            PoseResult::Inference { inferred, .. } => match inferred.pose {
                 InferredPose::Supported { trials, confidence_reached, .. } => (trials, confidence_reached),
                 InferredPose::Unsupported => (0, false),
             },
-            Posed::Registration(_) | Posed::ByField => {
+            PoseResult::Registration(_) | PoseResult::ByField => {
                 answer.inference.as_ref().map_or((0, true), |found| (found.trials, found.confidence_reached))
             }
         };
@@ -230,7 +230,7 @@ fn outlier_reasons(
 /// the size of the target, of which few pairs support a rigid transform, it is over all vertices with a counterpart.
 fn similarity(
     scene: &Scene<'_>,
-    answer: &Displaced,
+    answer: &VertexImages,
     images: &[Point3<f64>],
     supporting: &[usize],
 ) -> Option<SimilarityDocument> {
@@ -271,10 +271,14 @@ fn transform_document(transform: &RigidTransform) -> TransformDocument {
 }
 
 /// Distances of the vertices of each surface from the other, the source moved by `transform`.
-fn surface_distance(source: &Side, target: &Side, transform: &RigidTransform) -> SurfaceDistanceDocument {
+fn surface_distance(
+    source: &SurfaceLevel,
+    target: &SurfaceLevel,
+    transform: &RigidTransform,
+) -> SurfaceDistanceDocument {
     // The inverse transform moves the target onto the source in its original place.
     let back = transform.inverse();
-    let distances = |from: &Side, to: &Side, motion: &RigidTransform| -> Vec<f64> {
+    let distances = |from: &SurfaceLevel, to: &SurfaceLevel, motion: &RigidTransform| -> Vec<f64> {
         let moved: Vec<Point3<f64>> = from.mesh().vertices().iter().map(|p| motion.apply(p)).collect();
         SurfaceDistances::new(to.mesh()).of(&moved)
     };

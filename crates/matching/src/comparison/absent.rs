@@ -1,8 +1,8 @@
 //! The place of the published methods in a build without the feature `comparison`: there are none.
 
-use crate::answer::displaced::Displaced;
+use crate::answer::displaced::VertexImages;
 use crate::error::MatchError;
-use crate::pair::problem::Coarse;
+use crate::pair::problem::MatchProblem;
 use homolog_contract::parameters::DisplacementMode;
 use homolog_contract::result::PoseDocument;
 use homolog_registration::RigidTransform;
@@ -15,9 +15,9 @@ pub(crate) fn limits(_: DisplacementMode) -> Option<(usize, u64)> {
 /// # Errors
 /// [`MatchError::NoMethods`].
 pub(crate) fn by_method(
-    _: &Coarse<'_>,
+    _: &MatchProblem<'_>,
     _: &RigidTransform,
     _: Vec<PoseDocument>,
-) -> Result<Option<Displaced>, MatchError> {
+) -> Result<Option<VertexImages>, MatchError> {
     Err(MatchError::NoMethods)
 }

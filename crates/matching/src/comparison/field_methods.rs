@@ -1,11 +1,11 @@
 //! The third stage by a published method ([`homolog_methods`]) instead of the smooth displacement field: the source in
 //! its rigid pose, thinned if it is large, is matched to the target, and the map is extended to all of its vertices.
 
-use crate::answer::displaced::{Displaced, Images, SmoothImages};
+use crate::answer::displaced::{Images, SmoothImages, VertexImages};
 use crate::answer::images::images;
 use crate::answer::reliability::without_counterpart;
 use crate::error::MatchError;
-use crate::pair::problem::Coarse;
+use crate::pair::problem::MatchProblem;
 use homolog_contract::parameters::DisplacementMode;
 use homolog_contract::result::PoseDocument;
 use homolog_geometry::curvature::vertex_areas;
@@ -45,10 +45,10 @@ pub(crate) fn limits(mode: DisplacementMode) -> Option<(usize, u64)> {
 /// [`MatchError::NoEllipsoid`] for SPHARM-PDM of a surface that is not closed or not of genus 0;
 /// [`MatchError::Cancelled`].
 pub(crate) fn by_method(
-    coarse: &Coarse<'_>,
+    coarse: &MatchProblem<'_>,
     pose: &RigidTransform,
     poses: Vec<PoseDocument>,
-) -> Result<Option<Displaced>, MatchError> {
+) -> Result<Option<VertexImages>, MatchError> {
     let scene = &coarse.full;
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let mode = scene.parameters.displacement.mode;
@@ -134,11 +134,11 @@ fn carried(source: &SurfaceMesh, images: &[Point3<f64>], whole: &SurfaceMesh) ->
 /// The answer for source vertices moved to `moved`, mm. The spread is the sampling error plus the root mean square
 /// distance from the target, the only residual that these methods give; it is not calibrated.
 fn answered(
-    coarse: &Coarse<'_>,
+    coarse: &MatchProblem<'_>,
     pose: &RigidTransform,
     poses: Vec<PoseDocument>,
     moved: Vec<Point3<f64>>,
-) -> Displaced {
+) -> VertexImages {
     let scene = &coarse.full;
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
     let squares: f64 = moved.iter().map(|p| (scene.closest.index.closest(p).point - p).norm_squared()).sum();
@@ -149,7 +149,7 @@ fn answered(
     let are_copies = (displaced / moved.len() as f64).sqrt() < COPY_EDGES * scene.edge_mm;
     let fitted = absolute_orientation_of(source.vertices(), &moved, Some(&vertex_areas(source)), pose.is_reflection());
     let confidence = found.iter().zip(&no_counterpart).map(|(i, &alone)| if alone { 0.0 } else { i.confidence });
-    Displaced {
+    VertexImages {
         transform: if are_copies { *pose } else { fitted.unwrap_or(*pose) },
         labeling: found.iter().map(|image| image.label).collect(),
         confidence: confidence.collect(),

@@ -2,15 +2,15 @@
 
 use super::settings::IsometrySettings;
 use super::variance::variance_of_distance;
-use crate::surface::sites::{Places, Sites};
+use crate::surface::sites::{SiteSubset, Sites};
 use homolog_mrf::Labeling;
 
 /// The bias of `pairs` of a variable and a label that correspond, for all `places` and `labels`: a label costs more the
 /// more its distances from the labels of the pairs differ from the place's distances from their variables.
 pub(crate) fn bias_of_pairs(
     pairs: &[(usize, usize)],
-    places: &Places<'_>,
-    labels: &Places<'_>,
+    places: &SiteSubset<'_>,
+    labels: &SiteSubset<'_>,
     settings: &IsometrySettings,
 ) -> Vec<f32> {
     let (n, n_labels) = (places.len(), labels.len());

@@ -2,8 +2,8 @@
 //! image, and RANSAC over the labels, weighted by beliefs.
 
 use super::bias::bias_away_from;
-use super::lead::{DISTINCT_LABELINGS, Groups};
-use super::model::{Isometry, Measured};
+use super::lead::{DISTINCT_LABELINGS, VariableClusters};
+use super::model::{Isometry, SiteMeasurements};
 use super::settings::IsometrySettings;
 use homolog_contract::result::{
     ConvergenceDocument, ConvergenceStatus, EnergyDocument, Feedback, RoundDocument, StopReason,
@@ -49,7 +49,7 @@ impl Default for InferenceSettings {
 
 /// A labeling, and the pose that it supports.
 #[derive(Debug, Clone)]
-pub(crate) struct Labeled {
+pub(crate) struct PosedLabeling {
     pub labeling: Labeling,
     pub energy: Energy,
     pub iterations: u32,
@@ -60,7 +60,7 @@ pub(crate) struct Labeled {
     pub ransac: Option<RansacReport>,
 }
 
-impl Labeled {
+impl PosedLabeling {
     /// The share of the labels that support the pose.
     pub(crate) fn support(&self) -> f64 {
         self.ransac.as_ref().map_or(0.0, |found| found.support as f64 / self.labeling.len().max(1) as f64)
@@ -68,11 +68,11 @@ impl Labeled {
 }
 
 /// The labelings that inference without a start found.
-pub(crate) struct Inferred {
+pub(crate) struct IsometryInference {
     model: MetricModel,
     /// The energy of the mirrored source.
     of_mirror: MetricModel,
-    groups: Groups,
+    groups: VariableClusters,
     /// The labels, mm.
     places: Vec<Point3<f64>>,
     tolerance_mm: f64,
@@ -82,11 +82,11 @@ pub(crate) struct Inferred {
     points: Vec<Point3<f64>>,
     /// Energy of the labels of lowest unary potential.
     initial: Energy,
-    pub proper: Labeled,
+    pub proper: PosedLabeling,
     /// The labeling of lowest energy away from `proper`.
-    pub elsewhere: Labeled,
+    pub elsewhere: PosedLabeling,
     /// The labeling of the mirrored source, whose places have chirality of the opposite sign.
-    pub mirrored: Labeled,
+    pub mirrored: PosedLabeling,
 }
 
 /// The part of the result about inference.
@@ -101,7 +101,7 @@ pub(crate) struct InferenceOutcome {
     pub confidence_reached: bool,
 }
 
-impl Inferred {
+impl IsometryInference {
     /// The poses that the labelings support; among those of one handedness the pose of lowest energy first.
     pub(crate) fn poses(&self) -> impl Iterator<Item = RigidTransform> {
         let found = [&self.proper, &self.elsewhere, &self.mirrored];
@@ -122,8 +122,8 @@ impl Inferred {
         self.mirrored.support() >= CLEAR_SUPPORT && self.excess(&self.of_mirror, &self.mirrored) < -DISTINCT_LABELINGS
     }
 
-    /// Excess cost of `other`, a labeling of `model`, over `proper`, in standard errors: see [`Groups::lead`].
-    fn excess(&self, model: &MetricModel, other: &Labeled) -> f64 {
+    /// Excess cost of `other`, a labeling of `model`, over `proper`, in standard errors: see [`VariableClusters::lead`].
+    fn excess(&self, model: &MetricModel, other: &PosedLabeling) -> f64 {
         self.groups.lead(&self.model.shares(&self.proper.labeling), &model.shares(&other.labeling))
     }
 
@@ -211,13 +211,13 @@ impl Inferred {
 /// # Cost
 /// `O(iterations · edges · active²)` for each handedness.
 pub(crate) fn infer(
-    source: &Measured<'_>,
-    target: &Measured<'_>,
+    source: &SiteMeasurements<'_>,
+    target: &SiteMeasurements<'_>,
     root_mm: f64,
     seed: u64,
     settings: &InferenceSettings,
     observer: &dyn Observer,
-) -> Result<Inferred, Cancelled> {
+) -> Result<IsometryInference, Cancelled> {
     let of_energy = settings.energy;
     let Isometry { model, mirrored: of_mirror, variables, points, .. } = Isometry::new(source, target, of_energy);
     checkpoint(observer)?;
@@ -235,9 +235,9 @@ pub(crate) fn infer(
         },
     );
     checkpoint(observer)?;
-    Ok(Inferred {
+    Ok(IsometryInference {
         initial: model.energy(&model.unary_minimum()),
-        groups: Groups::new(source.sites, variables),
+        groups: VariableClusters::new(source.sites, variables),
         places: target.places.clone(),
         tolerance_mm: settings.inlier * root_mm,
         sweeps: settings.sweeps,
@@ -254,11 +254,11 @@ fn labeled(
     model: &MetricModel,
     bias: &[f32],
     (points, mirrors): (&[Point3<f64>], bool),
-    target: &Measured<'_>,
+    target: &SiteMeasurements<'_>,
     root_mm: f64,
     seed: u64,
     settings: &InferenceSettings,
-) -> Labeled {
+) -> PosedLabeling {
     let options = ActiveOptions {
         semiring: Semiring::Sum,
         iterations: settings.iterations,
@@ -287,7 +287,7 @@ fn labeled(
         let mirror = Matrix3::from_diagonal(&Vector3::new(sign, 1.0, 1.0));
         found.target_from_source.rotation *= mirror;
     }
-    Labeled {
+    PosedLabeling {
         energy: model.energy(&labeling),
         ransac,
         converged: found.message_delta_max <= settings.energy.tolerance,
@@ -307,7 +307,7 @@ fn belief(found: &ActiveBeliefs, variable: usize, label: u32) -> f64 {
 fn images(
     found: &ActiveBeliefs,
     labeling: &[u32],
-    target: &Measured<'_>,
+    target: &SiteMeasurements<'_>,
     settings: &InferenceSettings,
 ) -> Vec<Point3<f64>> {
     let near = (settings.energy.blended / (target.sites.len() as f64).sqrt()) as f32;

@@ -10,23 +10,23 @@ const GROUPS: usize = 40;
 
 /// Groups of neighboring variables. The costs of neighbors are correlated; means over groups hardly are.
 #[derive(Debug, Clone)]
-pub(crate) struct Groups {
+pub(crate) struct VariableClusters {
     /// The group of each variable.
     of: Vec<u32>,
     n: usize,
 }
 
-impl Groups {
+impl VariableClusters {
     /// The groups of `variables`, which are `sites` in farthest-point order. The first variables are the centers of the
     /// groups; each variable belongs to the nearest center.
-    pub(crate) fn new(sites: &Sites, variables: &[u32]) -> Groups {
+    pub(crate) fn new(sites: &Sites, variables: &[u32]) -> VariableClusters {
         let n = GROUPS.min(variables.len());
         let nearest = |&site: &u32| {
             let row = sites.row(site as usize);
             let distance = |group: &u32| row[variables[*group as usize] as usize];
             (0..n as u32).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
         };
-        Groups { of: variables.iter().map(nearest).collect(), n }
+        VariableClusters { of: variables.iter().map(nearest).collect(), n }
     }
 
     /// Excess of `others` over `own`, the costs of each variable: the mean difference over groups, in standard errors.

@@ -19,7 +19,7 @@
 
 use super::bias::bias_of_pairs;
 use super::settings::IsometrySettings;
-use super::signs::{Signs, unary_potentials};
+use super::signs::{SiteDescriptors, unary_potentials};
 use super::variance::variance_of_distance;
 use crate::starts::extremities::assignments;
 use crate::surface::sites::Sites;
@@ -28,16 +28,20 @@ use homolog_mrf::metric::{MetricEdge, MetricModel};
 use nalgebra::Point3;
 
 /// One surface of the model: its sites, their positions, mm, and the measurements there.
-pub(crate) struct Measured<'a> {
+pub(crate) struct SiteMeasurements<'a> {
     pub sites: &'a Sites,
-    pub signs: Signs,
+    pub signs: SiteDescriptors,
     pub places: Vec<Point3<f64>>,
 }
 
-impl<'a> Measured<'a> {
+impl<'a> SiteMeasurements<'a> {
     /// The `sites` of `surface`. Cost `O(n + sites · triangles)`.
-    pub(crate) fn of(surface: &SmoothSurface, sites: &'a Sites, settings: &IsometrySettings) -> Measured<'a> {
-        Measured { sites, signs: Signs::at_sites(surface, sites, settings), places: sites.places(&surface.mesh) }
+    pub(crate) fn of(surface: &SmoothSurface, sites: &'a Sites, settings: &IsometrySettings) -> SiteMeasurements<'a> {
+        SiteMeasurements {
+            sites,
+            signs: SiteDescriptors::at_sites(surface, sites, settings),
+            places: sites.places(&surface.mesh),
+        }
     }
 }
 
@@ -62,13 +66,17 @@ pub(crate) struct Isometry<'a> {
 
 impl<'a> Isometry<'a> {
     /// The model between two surfaces. Cost `O(variables · labels)`.
-    pub(crate) fn new(source: &Measured<'a>, target: &Measured<'a>, settings: IsometrySettings) -> Self {
+    pub(crate) fn new(
+        source: &SiteMeasurements<'a>,
+        target: &SiteMeasurements<'a>,
+        settings: IsometrySettings,
+    ) -> Self {
         debug_assert_eq!(settings.check(), Ok(()));
         let variables = source.sites.first(settings.n_variables);
         let places = source.sites.picked(variables);
         let labels = target.sites;
         let signs = source.signs.picked(variables);
-        let unary = |signs: &Signs| unary_potentials(signs, &target.signs, &settings);
+        let unary = |signs: &SiteDescriptors| unary_potentials(signs, &target.signs, &settings);
         let edges = edges(variables.len(), |i, j| places.distance(i, j), labels.len(), &settings);
         let model = MetricModel::new(labels.distances.clone(), unary(&signs), edges, settings.truncation);
         Isometry {

@@ -1,12 +1,12 @@
 //! The energy of near isometries alone, for measuring it.
 
 use super::minimize::{fused, minimized};
-use super::model::{Isometry, Measured};
+use super::model::{Isometry, SiteMeasurements};
 use super::settings::IsometrySettings;
 use crate::error::MatchError;
 use crate::pair::lengths::Lengths;
 use crate::pair::smooth_pair::smooth_pair;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use homolog_mesh::SurfaceMesh;
 use homolog_mrf::Labeling;
 use homolog_mrf::metric::MetricModel;
@@ -42,12 +42,14 @@ impl NearIsometryModel {
 /// # Errors
 /// [`MatchError::ScaleSpace`].
 pub fn near_isometry_model(source: &SurfaceMesh, target: &SurfaceMesh) -> Result<NearIsometryModel, MatchError> {
-    let (source, target) = (Side::new(source), Side::new(target));
+    let (source, target) = (SurfaceLevel::new(source), SurfaceLevel::new(target));
     let root_mm = Lengths::of(&source, &target).root_mm;
     let smooth = smooth_pair(source.mesh(), target.mesh(), root_mm, false)?;
     let settings = IsometrySettings::default();
-    let (of_source, of_target) =
-        (Measured::of(&smooth.0, source.sites(), &settings), Measured::of(&smooth.1, target.sites(), &settings));
+    let (of_source, of_target) = (
+        SiteMeasurements::of(&smooth.0, source.sites(), &settings),
+        SiteMeasurements::of(&smooth.1, target.sites(), &settings),
+    );
     let isometry = Isometry::new(&of_source, &of_target, settings);
     Ok(NearIsometryModel {
         variables: isometry.variables.iter().map(|&k| source.sites().vertices[k as usize]).collect(),

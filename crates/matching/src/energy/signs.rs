@@ -11,17 +11,17 @@ const PLANES: [[usize; 2]; 7] = [[0, 2], [2, 4], [1, 3], [3, 5], [2, N_FEATURES]
 const CHIRALITY_REACH: f64 = 3.0;
 
 /// Measurements at the places of one surface, `places × …` each.
-pub(crate) struct Signs {
+pub(crate) struct SiteDescriptors {
     features: Vec<Vec<f64>>,
     chirality: Vec<Vec<f64>>,
     eccentricity: Vec<Vec<f64>>,
 }
 
-impl Signs {
+impl SiteDescriptors {
     /// The measurements of the mirror image.
-    pub(crate) fn mirrored(&self) -> Signs {
+    pub(crate) fn mirrored(&self) -> SiteDescriptors {
         let negated = |values: &Vec<f64>| values.iter().map(|x| -x).collect();
-        Signs {
+        SiteDescriptors {
             features: self.features.clone(),
             chirality: self.chirality.iter().map(negated).collect(),
             eccentricity: self.eccentricity.clone(),
@@ -32,7 +32,7 @@ impl Signs {
     /// triangles between sites.
     ///
     /// Cost `O(n + sites · triangles)`.
-    pub(crate) fn at_sites(surface: &SmoothSurface, sites: &Sites, settings: &IsometrySettings) -> Signs {
+    pub(crate) fn at_sites(surface: &SmoothSurface, sites: &Sites, settings: &IsometrySettings) -> SiteDescriptors {
         let n = sites.len();
         let (mut features, mut weights) = (vec![vec![0.0; N_FEATURES]; n], vec![0.0; n]);
         for ((&cell, area), own) in
@@ -69,7 +69,7 @@ impl Signs {
             // Chirality is a product of two features; its root has the scale of a feature.
             sums.iter().map(|x| x.signum() * x.abs().sqrt()).collect()
         };
-        Signs {
+        SiteDescriptors {
             chirality: (0..n).into_par_iter().map(chirality).collect(),
             eccentricity: sites.eccentricity.iter().map(|&e| vec![e]).collect(),
             features,
@@ -77,9 +77,9 @@ impl Signs {
     }
 
     /// The measurements of some of the places.
-    pub(crate) fn picked(&self, which: &[u32]) -> Signs {
+    pub(crate) fn picked(&self, which: &[u32]) -> SiteDescriptors {
         let picked = |values: &[Vec<f64>]| which.iter().map(|&k| values[k as usize].clone()).collect();
-        Signs {
+        SiteDescriptors {
             features: picked(&self.features),
             chirality: picked(&self.chirality),
             eccentricity: picked(&self.eccentricity),
@@ -88,7 +88,11 @@ impl Signs {
 }
 
 /// The unary potential of every variable and label: the sum of the means over features, chirality and eccentricity.
-pub(crate) fn unary_potentials(source: &Signs, target: &Signs, settings: &IsometrySettings) -> Vec<f32> {
+pub(crate) fn unary_potentials(
+    source: &SiteDescriptors,
+    target: &SiteDescriptors,
+    settings: &IsometrySettings,
+) -> Vec<f32> {
     let mut unary = vec![0.0f32; source.features.len() * target.features.len()];
     for (a, b) in [
         (&source.features, &target.features),

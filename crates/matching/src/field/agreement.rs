@@ -1,6 +1,6 @@
 //! How well two surfaces agree once one is deformed onto the other.
 
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::settings::RouteSettings;
 use crate::surface::robust::correlation;
 use crate::surface::smooth::{N_FEATURES, SmoothSurface};
@@ -28,7 +28,7 @@ impl Agreement {
 /// of the target are left out.
 ///
 /// Cost `O(n log n')`; sums in order of the vertices.
-pub(crate) fn agreement(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Agreement {
+pub(crate) fn agreement(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> Agreement {
     let closest = displacement.target.closest();
     let found: Vec<_> = moved.par_iter().map(|p| closest.index.closest(p)).collect();
     // A vertex beyond the rim of the target has no counterpart.

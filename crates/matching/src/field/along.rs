@@ -35,7 +35,7 @@ pub(crate) fn squared_error(
 
 /// Raises the `variances` of a field, mm², so that each, together with the variance of sampling, is at least
 /// `squared_error`, mm².
-pub(crate) fn raise(variances: &mut [f64], squared_error: f64, lengths: &Lengths) {
+pub(crate) fn raise_variances(variances: &mut [f64], squared_error: f64, lengths: &Lengths) {
     let least = squared_error - sampling_variance(lengths.sampling_mm);
     variances.iter_mut().for_each(|variance| *variance = variance.max(least));
 }
@@ -84,7 +84,7 @@ mod tests {
         let sampling = sampling_variance(lengths.sampling_mm);
         assert!(expected > 2.0 * sampling, "{expected} {sampling}");
         let mut variances = [0.0, 0.5 * (expected - sampling), 3.0 * expected];
-        raise(&mut variances, expected, &lengths);
+        raise_variances(&mut variances, expected, &lengths);
         assert_eq!(variances, [expected - sampling, expected - sampling, 3.0 * expected]);
     }
 
@@ -93,7 +93,7 @@ mod tests {
         let (mesh, moved, lengths) = slid(1.0, 0.0);
         let before = [0.0, 0.1, 2.5];
         let mut variances = before;
-        raise(&mut variances, squared_error(&mesh, &moved, &agreeing(0.7), &lengths), &lengths);
+        raise_variances(&mut variances, squared_error(&mesh, &moved, &agreeing(0.7), &lengths), &lengths);
         assert_eq!(variances, before);
     }
 }

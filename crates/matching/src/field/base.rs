@@ -7,15 +7,15 @@ use nalgebra::{Point3, Vector3};
 
 /// The map of a surface before the field is added: a rigid pose, with or without bending.
 #[derive(Clone)]
-pub(crate) struct Base {
+pub(crate) struct InitialMap {
     pub pose: RigidTransform,
     /// Coefficients of a field, `M × 3`.
     pub bend: Option<Mat<f64>>,
 }
 
-impl Base {
+impl InitialMap {
     pub(crate) fn rigid(pose: RigidTransform) -> Self {
-        Base { pose, bend: None }
+        InitialMap { pose, bend: None }
     }
 
     /// Moves `points` of the source, at which the functions of the field have these `values` (more rows may follow).
@@ -31,19 +31,19 @@ impl Base {
     }
 
     /// This base with the displacement of `field` added.
-    pub(crate) fn bent_by(&self, field: &FittedField) -> Self {
+    pub(crate) fn with_field(&self, field: &FittedField) -> Self {
         let bend = match &self.bend {
             None => field.coefficients.clone(),
             Some(bend) => bend + &field.coefficients,
         };
-        Base { pose: self.pose, bend: Some(bend) }
+        InitialMap { pose: self.pose, bend: Some(bend) }
     }
 }
 
 /// A field over its base, and the feature precisions that were estimated with it.
 #[derive(Clone)]
 pub(crate) struct State {
-    pub base: Base,
+    pub base: InitialMap,
     pub field: FittedField,
     pub feature_precision: Vec<f64>,
 }

@@ -13,7 +13,7 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
 /// The inverse of a map from the target to the source.
-pub(crate) struct WayBack<'a> {
+pub(crate) struct BackwardMap<'a> {
     target: &'a SurfaceMesh,
     /// Closest points of the target.
     closest: &'a ClosestPointIndex,
@@ -21,21 +21,21 @@ pub(crate) struct WayBack<'a> {
     returned: ClosestPointIndex,
 }
 
-impl<'a> WayBack<'a> {
-    /// `returned` are the vertices of `target` moved onto the source, mm. `None` if a coordinate is not finite. Cost
+impl<'a> BackwardMap<'a> {
+    /// `backward_positions` are the vertices of `target` moved onto the source, mm. `None` if a coordinate is not finite. Cost
     /// `O(n' log n')`.
     pub(crate) fn new(
         target: &'a SurfaceMesh,
         closest: &'a ClosestPointIndex,
         returned: Vec<Point3<f64>>,
-    ) -> Option<WayBack<'a>> {
+    ) -> Option<BackwardMap<'a>> {
         let returned = ClosestPointIndex::new(&target.with_vertices(returned).ok()?);
-        Some(WayBack { target, closest, returned })
+        Some(BackwardMap { target, closest, returned })
     }
 
     /// Shifts each of `moved`, the images of `points` of the source, halfway along the target towards the place that
     /// the backward map takes to the point. The distance from the target is kept. Cost `O(n log n')`.
-    pub(crate) fn met(&self, points: &[Point3<f64>], moved: &[Point3<f64>]) -> Vec<Point3<f64>> {
+    pub(crate) fn symmetrized(&self, points: &[Point3<f64>], moved: &[Point3<f64>]) -> Vec<Point3<f64>> {
         let vertices = self.target.vertices();
         points
             .par_iter()
@@ -63,9 +63,9 @@ mod tests {
     fn the_mean_of_a_map_and_its_inverse_is_the_map() {
         let mesh = ellipsoid(Vector3::new(9.0, 5.0, 5.0), 4);
         let closest = ClosestPointIndex::new(&mesh);
-        let back = WayBack::new(&mesh, &closest, rotated(&mesh, -0.1)).unwrap();
+        let back = BackwardMap::new(&mesh, &closest, rotated(&mesh, -0.1)).unwrap();
         let forward = rotated(&mesh, 0.1);
-        for (met, image) in back.met(mesh.vertices(), &forward).iter().zip(&forward) {
+        for (met, image) in back.symmetrized(mesh.vertices(), &forward).iter().zip(&forward) {
             assert!((met - image).norm() < 0.02, "{met} {image}");
         }
     }
@@ -74,9 +74,9 @@ mod tests {
     fn the_mean_of_two_maps_lies_halfway() {
         let mesh = ellipsoid(Vector3::new(9.0, 5.0, 5.0), 4);
         let closest = ClosestPointIndex::new(&mesh);
-        let back = WayBack::new(&mesh, &closest, rotated(&mesh, -0.14)).unwrap();
+        let back = BackwardMap::new(&mesh, &closest, rotated(&mesh, -0.14)).unwrap();
         let (forward, middle) = (rotated(&mesh, 0.1), rotated(&mesh, 0.12));
-        for (met, expected) in back.met(mesh.vertices(), &forward).iter().zip(&middle) {
+        for (met, expected) in back.symmetrized(mesh.vertices(), &forward).iter().zip(&middle) {
             assert!((met - expected).norm() < 0.02, "{met} {expected}");
         }
     }
@@ -85,10 +85,10 @@ mod tests {
     fn the_distance_from_the_target_stays() {
         let mesh = ellipsoid(Vector3::new(9.0, 5.0, 5.0), 4);
         let closest = ClosestPointIndex::new(&mesh);
-        let back = WayBack::new(&mesh, &closest, mesh.vertices().to_vec()).unwrap();
+        let back = BackwardMap::new(&mesh, &closest, mesh.vertices().to_vec()).unwrap();
         let outside: Vec<Point3<f64>> =
             mesh.vertices().iter().zip(mesh.vertex_normals()).map(|(p, n)| p + 0.3 * n).collect();
-        for (met, image) in back.met(mesh.vertices(), &outside).iter().zip(&outside) {
+        for (met, image) in back.symmetrized(mesh.vertices(), &outside).iter().zip(&outside) {
             assert!((met - image).norm() < 0.02, "{met} {image}");
         }
     }

@@ -1,19 +1,19 @@
 //! Choice of the rigid pose: candidate poses are compared after the coarse stage of their displacements.
 
-use super::base::{Base, State};
+use super::base::{InitialMap, State};
 use super::coarse::{coarse_from, screening};
-use super::displacement::Displacement;
-use super::rivals::{Candidate, Chosen, decided};
+use super::displacement::FitContext;
+use super::rivals::{Candidate, Chosen, compare_candidates};
 use crate::error::MatchError;
 use crate::pair::assignment::displaced;
-use crate::poses::compared::{ComparedPose, Finer, Origin};
+use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
 use crate::starts::start_pose::StartPose;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use rayon::prelude::*;
 
 /// A pose after the coarse stage.
-struct Followed {
+struct ScreenedPose {
     index: usize,
     pose: StartPose,
     misfit: f64,
@@ -25,8 +25,8 @@ struct Followed {
     is_reached: bool,
 }
 
-impl Followed {
-    fn is_rotation_of(&self, other: &Followed) -> bool {
+impl ScreenedPose {
+    fn is_rotation_of(&self, other: &ScreenedPose) -> bool {
         self.pose.rotation_of == Some(other.index)
     }
 
@@ -39,7 +39,7 @@ impl Followed {
             origin: Origin::Pose(self.index),
             mirrored: self.mirrored(),
             misfit: self.misfit,
-            finer: if self.is_reached { Finer::Same } else { Finer::Undecided },
+            finer: if self.is_reached { ComparisonOutcome::Same } else { ComparisonOutcome::Undecided },
         }
     }
 }
@@ -48,14 +48,14 @@ impl Followed {
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn chosen(
-    displacement: &Displacement<'_>,
+pub(crate) fn choose_pose(
+    displacement: &FitContext<'_>,
     poses: &[StartPose],
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
     let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
     let n = displacement.options.n_samples[0];
-    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
+    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
     let values = displacement.guides.below(displacement.functions.values(&source.points));
     // One task per pose: a single step is too short to share between cores.
     let found: Vec<Option<(f64, State)>> = followed
@@ -63,10 +63,10 @@ pub(crate) fn chosen(
         .map(|&pose| {
             checkpoint(displacement.observer)?;
             let schedule = displacement.schedule(0, displacement.options.steps[0]);
-            Ok(coarse_from(displacement, &Base::rigid(poses[pose].pose), &source, &target, &values, schedule))
+            Ok(coarse_from(displacement, &InitialMap::rigid(poses[pose].pose), &source, &target, &values, schedule))
         })
         .collect::<Result<_, MatchError>>()?;
-    let mut compared: Vec<(Followed, State)> = Vec::new();
+    let mut compared: Vec<(ScreenedPose, State)> = Vec::new();
     for (&index, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
         let pose = poses[index];
@@ -78,13 +78,13 @@ pub(crate) fn chosen(
             absolute_orientation_of(&source.points, &moved, weights, mirrored).unwrap_or(pose.pose)
         });
         let may_answer = may_answer(&pose.pose);
-        compared.push((Followed { index, pose, misfit, may_answer, end, is_reached: false }, state));
+        compared.push((ScreenedPose { index, pose, misfit, may_answer, end, is_reached: false }, state));
     }
     compared.sort_by(|(a, _), (b, _)| {
         (!a.may_answer).cmp(&!b.may_answer).then(a.misfit.total_cmp(&b.misfit)).then(a.index.cmp(&b.index))
     });
     // A start and its rotations count as one pose; the best is kept.
-    let (mut kept, mut states): (Vec<Followed>, Vec<State>) = (Vec::new(), Vec::new());
+    let (mut kept, mut states): (Vec<ScreenedPose>, Vec<State>) = (Vec::new(), Vec::new());
     for (start, state) in compared {
         if !kept.iter().any(|better| better.is_rotation_of(&start) || start.is_rotation_of(better)) {
             kept.push(start);
@@ -94,7 +94,7 @@ pub(crate) fn chosen(
     for k in 1..kept.len() {
         let (better, others) = kept.split_at_mut(k);
         let other = &mut others[0];
-        let is_reached = |better: &Followed| match (&better.end, &other.end) {
+        let is_reached = |better: &ScreenedPose| match (&better.end, &other.end) {
             (Some(a), Some(b)) => better.mirrored() == other.mirrored() && displacement.are_same(a, b, SAME_POSE_ANGLE),
             _ => false,
         };
@@ -108,12 +108,12 @@ pub(crate) fn chosen(
         .zip(states)
         .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state })
         .collect();
-    decided(displacement, candidates)
+    compare_candidates(displacement, candidates)
 }
 
 /// Indices of the poses to follow, by misfit after a few steps on few vertices: the best of each handedness, and for a
 /// rotation also the pose that was rotated.
-fn screened(displacement: &Displacement<'_>, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
+fn screened(displacement: &FitContext<'_>, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
     let misfit = screening(displacement);
     let screened: Vec<Option<(f64, usize)>> = poses
         .par_iter()

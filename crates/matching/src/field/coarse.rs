@@ -1,10 +1,10 @@
 //! The coarse stage of a displacement: a field over a base, on thinned surfaces.
 
-use super::base::{Base, State};
-use super::displacement::Displacement;
+use super::base::{InitialMap, State};
+use super::displacement::FitContext;
 use super::schedule::Schedule;
 use crate::pair::assignment::{comparison_kernel, displaced, kernel, observed_means, precision_of_features};
-use crate::surface::smooth::{N_FEATURES, Thinned};
+use crate::surface::smooth::{N_FEATURES, Subsample};
 use faer::Mat;
 use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed, assign, misfit};
@@ -12,13 +12,13 @@ use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
 
 /// The field after the coarse stage from a single pose that an earlier fit has found.
-pub(crate) fn coarse_alone(displacement: &Displacement<'_>, pose: &RigidTransform) -> Option<State> {
+pub(crate) fn coarse_alone(displacement: &FitContext<'_>, pose: &RigidTransform) -> Option<State> {
     let n = displacement.options.n_samples[0];
-    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
+    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
     let values = displacement.guides.below(displacement.functions.values(&source.points));
     let found = coarse_from(
         displacement,
-        &Base::rigid(*pose),
+        &InitialMap::rigid(*pose),
         &source,
         &target,
         &values,
@@ -29,22 +29,23 @@ pub(crate) fn coarse_alone(displacement: &Displacement<'_>, pose: &RigidTransfor
 
 /// Returns a function that gives the misfit of a pose after a few steps on few vertices; `None` if a number is not
 /// finite.
-pub(crate) fn screening(displacement: &Displacement<'_>) -> impl Fn(&RigidTransform) -> Option<f64> + Sync {
+pub(crate) fn screening(displacement: &FitContext<'_>) -> impl Fn(&RigidTransform) -> Option<f64> + Sync {
     let source = displacement.source.thinned(displacement.options.choice.screening_samples);
-    let target = displacement.target.thinned(displacement.options.choice.screening_samples).packed();
+    let target = displacement.target.thinned(displacement.options.choice.screening_samples).assignment_target();
     let values = displacement.guides.below(displacement.functions.values(&source.points));
     move |pose| {
         // Ranking the poses needs no converged field, so no step is repeated.
         let schedule = Schedule::new(displacement.options.choice.screening_steps, 0, displacement.lengths.root_mm);
-        coarse_from(displacement, &Base::rigid(*pose), &source, &target, &values, schedule).map(|(misfit, _)| misfit)
+        coarse_from(displacement, &InitialMap::rigid(*pose), &source, &target, &values, schedule)
+            .map(|(misfit, _)| misfit)
     }
 }
 
 /// Misfit and field over `base_of` after the steps of `schedule`.
 pub(crate) fn coarse_from(
-    displacement: &Displacement<'_>,
-    base_of: &Base,
-    source: &Thinned,
+    displacement: &FitContext<'_>,
+    base_of: &InitialMap,
+    source: &Subsample,
     target: &AssignmentTarget,
     values: &Mat<f64>,
     mut schedule: Schedule,
@@ -91,9 +92,9 @@ pub(crate) fn coarse_from(
 
 /// Normals, at `thinned`, of the surface whose vertices are at `moved`. `None` if a number is not finite.
 fn normals_at(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     moved: Vec<Point3<f64>>,
-    thinned: &Thinned,
+    thinned: &Subsample,
 ) -> Option<Vec<Vector3<f64>>> {
     let normals = displacement.source.mesh.with_vertices(moved).ok()?.vertex_normals();
     Some(thinned.vertices.iter().map(|&i| normals[i]).collect())

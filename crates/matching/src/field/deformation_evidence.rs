@@ -10,7 +10,7 @@
 //!
 //! Source: Kass, Raftery, "Bayes factors", Journal of the American Statistical Association 90, 1995.
 
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::schedule::SETTLED;
 use homolog_mesh::ClosestPoint;
 use homolog_registration::RigidTransform;
@@ -35,7 +35,7 @@ pub(super) struct Observed {
 
 /// Every `step`-th vertex of the source, at most [`MOST_POINTS`], with its image on the target if it moves to `moved`;
 /// and `step`. Points beyond the rim of the target have no counterpart and are left out.
-pub(super) fn observed(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> (Vec<Observed>, usize) {
+pub(super) fn observed(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> (Vec<Observed>, usize) {
     let (target, closest) = (&displacement.target, displacement.target.closest());
     let step = moved.len().div_ceil(MOST_POINTS).max(1);
     let of_vertex = |vertex: usize| {
@@ -49,7 +49,7 @@ pub(super) fn observed(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -
 /// The deformation of the source to `moved` without its rigid part `rigid`, prepared for comparison; `None` without a
 /// displacement, or if a number is not finite. Cost `O(widths · points³)`.
 pub(super) fn deformation_evidence(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     moved: &[Point3<f64>],
     rigid: &RigidTransform,
 ) -> Option<HeightEvidence> {
@@ -75,7 +75,7 @@ pub(super) fn lead(first: &HeightEvidence, second: &HeightEvidence, resolution_m
 }
 
 /// The least displacement that counts, mm: the movement at which a fit is settled.
-pub(super) fn resolution_mm(displacement: &Displacement<'_>) -> f64 {
+pub(super) fn resolution_mm(displacement: &FitContext<'_>) -> f64 {
     SETTLED * displacement.lengths.root_mm
 }
 

@@ -1,7 +1,7 @@
 //! Surfaces, settings and functions that all stages of a displacement share.
 
 use super::functions::Functions;
-use super::guides::Guides;
+use super::guides::LandmarkObservations;
 use super::options::DisplacementOptions;
 use super::schedule::Schedule;
 use super::trace::FitTrace;
@@ -13,11 +13,11 @@ use homolog_registration::{RigidTransform, SamePose};
 use std::sync::Arc;
 
 /// Surfaces, settings and functions that all stages of a displacement share.
-pub(crate) struct Displacement<'a> {
+pub(crate) struct FitContext<'a> {
     pub source: Arc<SmoothSurface>,
     pub target: Arc<SmoothSurface>,
     pub functions: Functions,
-    pub guides: Guides,
+    pub guides: LandmarkObservations,
     pub diagonal_mm: f64,
     pub lengths: Lengths,
     /// When two poses count as one, if the source is a part: it may fit at several places in one orientation.
@@ -26,7 +26,7 @@ pub(crate) struct Displacement<'a> {
     pub observer: &'a FitTrace<'a>,
 }
 
-impl Displacement<'_> {
+impl FitContext<'_> {
     /// Independent observations per unit of area, at `progress` between two stages.
     pub(crate) fn density(&self, from: usize, to: usize, progress: f64) -> f64 {
         annealed(self.options.density[from], self.options.density[to], progress) / self.lengths.root_mm.powi(2)
@@ -48,8 +48,8 @@ impl Displacement<'_> {
     }
 
     /// The same displacement with other functions.
-    pub(crate) fn with_functions(&self, functions: Functions) -> Displacement<'_> {
-        Displacement {
+    pub(crate) fn with_functions(&self, functions: Functions) -> FitContext<'_> {
+        FitContext {
             source: self.source.clone(),
             target: self.target.clone(),
             guides: self.guides.with_functions(&functions),

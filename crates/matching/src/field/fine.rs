@@ -1,10 +1,10 @@
 //! The middle and fine stages, after the choice of the pose.
 
 use super::base::State;
-use super::displacement::Displacement;
-use super::fitted::Fine;
+use super::displacement::FitContext;
+use super::fitted::FineStageFit;
 use super::trace::TracedFit;
-use super::track::{Assigned, Track, assigned};
+use super::track::{Assigned, BaseEvaluation, assigned};
 use crate::error::MatchError;
 use crate::pair::assignment::{displaced, kernel, observed_means, precision_of_features};
 use crate::surface::robust::{STD_OF_MAD, median};
@@ -15,7 +15,7 @@ use nalgebra::Point3;
 use rayon::prelude::*;
 
 /// The field after the middle and fine stages.
-pub(crate) fn fine(displacement: &Displacement<'_>, start: State) -> Result<Option<Fine>, MatchError> {
+pub(crate) fn fine(displacement: &FitContext<'_>, start: State) -> Result<Option<FineStageFit>, MatchError> {
     fine_in(
         displacement,
         start,
@@ -26,7 +26,7 @@ pub(crate) fn fine(displacement: &Displacement<'_>, start: State) -> Result<Opti
 }
 
 /// [`fine`], not recorded in the energy trace: for auxiliary fits.
-pub(crate) fn fine_aside(displacement: &Displacement<'_>, start: State) -> Result<Option<Fine>, MatchError> {
+pub(crate) fn fine_aside(displacement: &FitContext<'_>, start: State) -> Result<Option<FineStageFit>, MatchError> {
     fine_in(
         displacement,
         start,
@@ -39,17 +39,17 @@ pub(crate) fn fine_aside(displacement: &Displacement<'_>, start: State) -> Resul
 /// [`fine`] with the number of steps of each stage, and the share of the assignment's weight that is kept across the
 /// normals.
 pub(crate) fn fine_in(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     start: State,
     steps: [u32; 2],
     across_share: f64,
     fit: Option<TracedFit>,
-) -> Result<Option<Fine>, MatchError> {
+) -> Result<Option<FineStageFit>, MatchError> {
     let State { base, field, feature_precision } = start;
-    let track = Track::new(displacement, base);
-    let mut fine = Fine { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
+    let track = BaseEvaluation::new(displacement, base);
+    let mut fine = FineStageFit { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
     for (stage, steps) in [1, 2].into_iter().zip(steps) {
-        if !followed(displacement, &mut fine, stage, steps, 1.0)? {
+        if !run_stage(displacement, &mut fine, stage, steps, 1.0)? {
             return Ok(None);
         }
     }
@@ -57,19 +57,19 @@ pub(crate) fn fine_in(
 }
 
 /// Runs the steps of a stage, with observations weighted by `weight`. Returns whether all numbers stayed finite.
-pub(crate) fn followed(
-    displacement: &Displacement<'_>,
-    fine: &mut Fine,
+pub(crate) fn run_stage(
+    displacement: &FitContext<'_>,
+    fine: &mut FineStageFit,
     stage: usize,
     steps: u32,
     weight: f64,
 ) -> Result<bool, MatchError> {
-    let Fine { track, field, feature_precision, residual_mm, across_share, fit } = fine;
+    let FineStageFit { track, field, feature_precision, residual_mm, across_share, fit } = fine;
     let thinned = displacement.source.thinned(displacement.options.n_samples[stage]);
     let target = if stage == 1 {
-        displacement.target.thinned(displacement.options.n_samples[stage]).packed()
+        displacement.target.thinned(displacement.options.n_samples[stage]).assignment_target()
     } else {
-        displacement.target.packed()
+        displacement.target.assignment_target()
     };
     let values = displacement.guides.below(track.values(&thinned));
     let starts = track.starts(&thinned);
@@ -110,14 +110,14 @@ pub(crate) fn followed(
     Ok(true)
 }
 
-fn along_mm(displacement: &Displacement<'_>) -> f64 {
+fn along_mm(displacement: &FitContext<'_>) -> f64 {
     displacement.options.fine.along * displacement.lengths.sampling_mm
 }
 
 /// Observations along the normals of the closest point of the surface, and with a low weight across the normals of the
 /// assigned means.
 pub(crate) fn sliding(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     assigned: &Assigned,
     areas: &[f64],
     starts: &[Point3<f64>],

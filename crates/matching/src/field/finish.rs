@@ -2,13 +2,13 @@
 
 use super::agreement::agreement;
 use super::along;
-use super::both_ways::WayBack;
+use super::both_ways::BackwardMap;
 use super::deformed::Deformed;
-use super::displacement::Displacement;
-use super::fitted::{Refined, pose_of};
+use super::displacement::FitContext;
+use super::fitted::{FinalField, pose_of};
 use super::refine::refined_from;
-use super::relaxation::{Moved, relax};
-use super::reverse::{ReverseFit, returned};
+use super::relaxation::{PointSet, relax};
+use super::reverse::{ReverseFit, backward_positions};
 use super::roundness::spread_of_rotations;
 use super::strain::distortion;
 use super::uncertainty;
@@ -21,11 +21,11 @@ use homolog_mesh::SurfaceMesh;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
-/// The source moved by `refined`; `pose` is close to its rigid part.
-pub(crate) fn finished(
-    displacement: &Displacement<'_>,
+/// The source moved by `run_remaining_stages`; `pose` is close to its rigid part.
+pub(crate) fn finish_fit(
+    displacement: &FitContext<'_>,
     surfaces: &Surfaces<'_>,
-    refined: Refined,
+    refined: FinalField,
     pose: &RigidTransform,
 ) -> Result<Option<Deformed>, MatchError> {
     let Surfaces { source, target, full_source, full_target, target_closest, open, lengths, .. } = *surfaces;
@@ -41,11 +41,11 @@ pub(crate) fn finished(
     {
         None
     } else {
-        returned(displacement, surfaces, &reached, refined.local)?
+        backward_positions(displacement, surfaces, &reached, refined.local)?
     };
-    let back = returned.and_then(|returned| WayBack::new(full_target, target_closest, returned));
+    let back = returned.and_then(|returned| BackwardMap::new(full_target, target_closest, returned));
     let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
-        Some(back) => back.met(mesh.vertices(), &points),
+        Some(back) => back.symmetrized(mesh.vertices(), &points),
         None => points,
     };
     let smooth = &displacement.source.mesh;
@@ -58,8 +58,8 @@ pub(crate) fn finished(
     } else {
         // Limbs that move against each other are no displacement that is smooth in space.
         if !may_branch(surfaces) {
-            let mut sets = vec![Moved { points: source.vertices(), moved: &mut fitted }];
-            sets.extend(of_full.as_mut().map(|moved| Moved { points: full_source.vertices(), moved }));
+            let mut sets = vec![PointSet { points: source.vertices(), moved: &mut fitted }];
+            sets.extend(of_full.as_mut().map(|moved| PointSet { points: full_source.vertices(), moved }));
             relax(displacement, &pose_of(displacement, &at_smooth, &reached), &mut at_smooth, &mut sets)?;
         }
         let rigid = pose_of(displacement, &at_smooth, &reached);
@@ -92,7 +92,7 @@ pub(crate) fn finished(
         variances.iter_mut().zip(of_starts).for_each(|(variance, of_starts)| *variance += of_starts);
     }
     if let Some(error) = error {
-        along::raise(&mut variances, error, &lengths);
+        along::raise_variances(&mut variances, error, &lengths);
     }
     Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }))
 }
@@ -100,7 +100,7 @@ pub(crate) fn finished(
 /// The source moved rigidly onto its copy. A field would pull the region without counterpart, and its surroundings,
 /// towards the rim.
 pub(crate) fn moved_rigidly(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     surfaces: &Surfaces<'_>,
     transform: RigidTransform,
     residual_mm: f64,
@@ -115,11 +115,14 @@ pub(crate) fn moved_rigidly(
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn finished_back(reverse: ReverseFit<'_>, surfaces: &Surfaces<'_>) -> Result<Option<Deformed>, MatchError> {
+pub(crate) fn finish_backward_fit(
+    reverse: ReverseFit<'_>,
+    surfaces: &Surfaces<'_>,
+) -> Result<Option<Deformed>, MatchError> {
     let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
     let side_of = |role: Role| (surfaces.side_of)(role.other());
     let ReverseFit { displacement, pose, fine } = reverse;
     let Some(refined) = refined_from(&displacement, fine)? else { return Ok(None) };
-    let found = finished(&displacement, &surfaces.swapped(&landmarks, &side_of), refined, &pose)?;
+    let found = finish_fit(&displacement, &surfaces.swapped(&landmarks, &side_of), refined, &pose)?;
     Ok(found.and_then(|found| found.inverse(surfaces.full_target, surfaces.full_source)))
 }

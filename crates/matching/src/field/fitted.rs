@@ -1,10 +1,10 @@
 //! Fields after their stages.
 
-use super::base::Base;
-use super::displacement::Displacement;
+use super::base::InitialMap;
+use super::displacement::FitContext;
 use super::functions::Functions;
 use super::trace::TracedFit;
-use super::track::Track;
+use super::track::BaseEvaluation;
 use crate::pair::assignment::displaced;
 use crate::surface::smooth::SmoothSurface;
 use faer::Mat;
@@ -14,8 +14,8 @@ use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::Point3;
 
 /// A field after the middle and fine stages.
-pub(crate) struct Fine {
-    pub track: Track,
+pub(crate) struct FineStageFit {
+    pub track: BaseEvaluation,
     pub field: FittedField,
     pub feature_precision: Vec<f64>,
     /// Robust standard deviation of the residual along the normals, mm.
@@ -26,7 +26,7 @@ pub(crate) struct Fine {
     pub fit: Option<TracedFit>,
 }
 
-impl Fine {
+impl FineStageFit {
     /// The vertices of the source where the field moves them, mm.
     pub(crate) fn moved(&self) -> Vec<Point3<f64>> {
         self.track.moved(&self.field)
@@ -44,9 +44,9 @@ pub(crate) struct LocalKernel {
 }
 
 /// A field after all stages.
-pub(crate) struct Refined {
+pub(crate) struct FinalField {
     /// The map that the field is added to, in terms of `base_functions`.
-    pub base: Base,
+    pub base: InitialMap,
     pub base_functions: Functions,
     pub field: FittedField,
     /// The functions of the field.
@@ -58,7 +58,7 @@ pub(crate) struct Refined {
     pub local: Option<LocalKernel>,
 }
 
-impl Refined {
+impl FinalField {
     /// The vertices of `mesh` moved by the base and the field.
     pub(crate) fn moved(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
         let values = self.functions.values(mesh.vertices());
@@ -82,7 +82,7 @@ impl Refined {
 
 /// The rigid part of the map of the vertices of the source to `moved`, with the handedness of `pose`. It does not
 /// otherwise depend on `pose`, which is returned if the fit fails.
-pub(crate) fn pose_of(displacement: &Displacement<'_>, moved: &[Point3<f64>], pose: &RigidTransform) -> RigidTransform {
+pub(crate) fn pose_of(displacement: &FitContext<'_>, moved: &[Point3<f64>], pose: &RigidTransform) -> RigidTransform {
     let SmoothSurface { mesh, areas, .. } = &*displacement.source;
     absolute_orientation_of(mesh.vertices(), moved, Some(areas), pose.is_reflection()).unwrap_or(*pose)
 }

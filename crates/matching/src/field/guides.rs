@@ -1,6 +1,6 @@
 //! Landmarks as observations of a displacement field.
 
-use super::base::Base;
+use super::base::InitialMap;
 use super::functions::Functions;
 use faer::Mat;
 use homolog_contract::parameters::Landmark;
@@ -14,7 +14,7 @@ const CAP: f64 = 10.0;
 const COARSE: f64 = 0.05;
 
 /// Source points and the target points they should be moved to.
-pub(crate) struct Guides {
+pub(crate) struct LandmarkObservations {
     source: Vec<Point3<f64>>,
     target: Vec<Point3<f64>>,
     sigma_mm: Vec<f64>,
@@ -24,10 +24,10 @@ pub(crate) struct Guides {
     values: Mat<f64>,
 }
 
-impl Guides {
+impl LandmarkObservations {
     pub(crate) fn new(landmarks: &[Landmark], functions: &Functions, root_mm: f64) -> Self {
         let source: Vec<Point3<f64>> = landmarks.iter().map(|l| Point3::from(l.source_mm)).collect();
-        Guides {
+        LandmarkObservations {
             values: functions.values(&source),
             source,
             target: landmarks.iter().map(|l| Point3::from(l.target_mm)).collect(),
@@ -38,7 +38,7 @@ impl Guides {
 
     /// The same points for a field with other functions.
     pub(crate) fn with_functions(&self, functions: &Functions) -> Self {
-        Guides {
+        LandmarkObservations {
             values: functions.values(&self.source),
             source: self.source.clone(),
             target: self.target.clone(),
@@ -49,7 +49,7 @@ impl Guides {
 
     /// The same points for the field from target to source, whose functions are `functions`.
     pub(crate) fn swapped(&self, functions: &Functions) -> Self {
-        Guides {
+        LandmarkObservations {
             values: functions.values(&self.target),
             source: self.target.clone(),
             target: self.source.clone(),
@@ -70,7 +70,7 @@ impl Guides {
     }
 
     /// The displacement from `base` to each landmark.
-    pub(crate) fn observations(&self, base: &Base) -> Vec<Observation> {
+    pub(crate) fn observations(&self, base: &InitialMap) -> Vec<Observation> {
         let moved = base.moved(&self.source, &self.values);
         let observation = |((p, q), sigma): ((&Point3<f64>, &Point3<f64>), &f64)| {
             Observation::isotropic(q - p, 1.0 / (sigma * sigma))
@@ -79,7 +79,7 @@ impl Guides {
     }
 
     /// Misfit of the guides under `base` and `field`: half the mean squared distance in standard deviations.
-    pub(crate) fn misfit(&self, base: &Base, field: &FittedField) -> f64 {
+    pub(crate) fn misfit(&self, base: &InitialMap, field: &FittedField) -> f64 {
         if self.source.is_empty() {
             return 0.0;
         }

@@ -7,26 +7,26 @@
 //! independently of a region that it is close to. The stages are those of a rigid start. The correspondences of lowest
 //! energy go through all stages, and the one of lowest misfit at the scale of the sampling is kept.
 
-use super::base::{Base, State};
+use super::base::{InitialMap, State};
 use super::coarse::coarse_from;
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::fine_misfit::fine_misfit;
-use super::fitted::Refined;
+use super::fitted::FinalField;
 use super::functions::Functions;
-use super::refine::refined;
+use super::refine::run_remaining_stages;
 use super::rivals::{Unexplained, is_distinct, unexplained};
 use super::settings::IsometryFitSettings;
 use super::unbending::Unbending;
 use crate::energy::inference::InferenceSettings;
-use crate::energy::lead::{DISTINCT_LABELINGS, Groups};
+use crate::energy::lead::{DISTINCT_LABELINGS, VariableClusters};
 use crate::energy::minimize::NearIsometry;
-use crate::energy::model::{Isometry, Measured};
+use crate::energy::model::{Isometry, SiteMeasurements};
 use crate::energy::settings::IsometrySettings;
 use crate::error::MatchError;
-use crate::poses::compared::{ComparedPose, Finer, Origin};
+use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
 use crate::surface::form::BendingInvariantForm;
-use crate::surface::side::Side;
-use crate::surface::smooth::Thinned;
+use crate::surface::side::SurfaceLevel;
+use crate::surface::smooth::Subsample;
 use faer::Mat;
 use homolog_mrf::Labeling;
 use homolog_primitives::observe::{Observer, Phase, checkpoint};
@@ -45,7 +45,7 @@ fn mean_distance(a: &[Point3<f64>], b: &[Point3<f64>]) -> f64 {
 /// Correspondences of low energy, including that of the present answer.
 pub(crate) struct LowEnergies<'a> {
     isometry: Isometry<'a>,
-    groups: Groups,
+    groups: VariableClusters,
     /// Distinct correspondences by increasing energy.
     starts: Vec<NearIsometry>,
     /// Whether no correspondence has a lower energy than that of the present answer.
@@ -75,9 +75,9 @@ impl LowEnergies<'_> {
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(crate) fn low_energies<'a>(
-    displacement: &Displacement<'_>,
-    source: &'a Side,
-    target: &'a Side,
+    displacement: &FitContext<'_>,
+    source: &'a SurfaceLevel,
+    target: &'a SurfaceLevel,
     moved: &[Point3<f64>],
 ) -> Result<LowEnergies<'a>, MatchError> {
     let observer = displacement.observer;
@@ -86,11 +86,11 @@ pub(crate) fn low_energies<'a>(
     observer.phase(Phase::Inference);
     let of_energy = IsometrySettings::default();
     let (of_source, of_target) = (
-        Measured::of(&displacement.source, source.sites(), &of_energy),
-        Measured::of(&displacement.target, target.sites(), &of_energy),
+        SiteMeasurements::of(&displacement.source, source.sites(), &of_energy),
+        SiteMeasurements::of(&displacement.target, target.sites(), &of_energy),
     );
     let isometry = Isometry::new(&of_source, &of_target, of_energy);
-    let groups = Groups::new(source.sites(), isometry.variables);
+    let groups = VariableClusters::new(source.sites(), isometry.variables);
     let image = |&site: &u32| moved[source.sites().vertices[site as usize] as usize];
     let images: Vec<Point3<f64>> = isometry.variables.iter().map(image).collect();
     let own = isometry.of_images(&images);
@@ -123,8 +123,8 @@ fn distinct(mut starts: Vec<NearIsometry>, root_mm: f64, settings: &IsometryFitS
 
 /// A displacement whose functions are smooth over the form of the source, with the values that its coarse stage reads.
 pub(crate) struct OverForm<'a> {
-    displacement: Displacement<'a>,
-    thinned: Thinned,
+    displacement: FitContext<'a>,
+    thinned: Subsample,
     thinned_target: AssignmentTarget,
     /// Every function at the thinned vertices, and at the landmarks.
     values: Mat<f64>,
@@ -132,7 +132,7 @@ pub(crate) struct OverForm<'a> {
 
 impl<'a> OverForm<'a> {
     /// `displacement` with functions over the `form` of its source. `None` if a number is not finite.
-    pub(crate) fn new(displacement: &'a Displacement<'_>, form: &BendingInvariantForm) -> Option<OverForm<'a>> {
+    pub(crate) fn new(displacement: &'a FitContext<'_>, form: &BendingInvariantForm) -> Option<OverForm<'a>> {
         let mesh = &displacement.source.mesh;
         let settings = &displacement.options.isometry;
         let cells = (mesh.vertices(), &form.place_of[..]);
@@ -145,19 +145,20 @@ impl<'a> OverForm<'a> {
         let functions = Functions::new(mesh.vertices(), prior, settings.n_inducing, Some(unbending))?;
         let displacement = displacement.with_functions(functions);
         let n = displacement.options.n_samples[0];
-        let (thinned, thinned_target) = (displacement.source.thinned(n), displacement.target.thinned(n).packed());
+        let (thinned, thinned_target) =
+            (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
         let values = displacement.guides.below(displacement.functions.values(&thinned.points));
         Some(OverForm { displacement, thinned, thinned_target, values })
     }
 
     /// The coarse stage over `base`.
-    fn coarse(&self, base: &Base) -> Option<(f64, State)> {
+    fn coarse(&self, base: &InitialMap) -> Option<(f64, State)> {
         let schedule = self.displacement.schedule(0, self.displacement.options.steps[0]);
         coarse_from(&self.displacement, base, &self.thinned, &self.thinned_target, &self.values, schedule)
     }
 
-    /// Where `refined` moves the vertices of the source, mm.
-    fn moved(&self, refined: &Refined) -> Vec<Point3<f64>> {
+    /// Where `run_remaining_stages` moves the vertices of the source, mm.
+    fn moved(&self, refined: &FinalField) -> Vec<Point3<f64>> {
         refined.moved(&self.displacement.source.mesh)
     }
 }
@@ -175,7 +176,7 @@ impl BentStart {
             origin: Origin::Isometry { pose: self.state.base.pose, mean_energy: self.start.mean_energy() },
             mirrored: false,
             misfit: self.misfit,
-            finer: Finer::Outdone,
+            finer: ComparisonOutcome::Outdone,
         }
     }
 }
@@ -200,7 +201,7 @@ pub(crate) fn bent_starts(over_form: &OverForm<'_>, low: &LowEnergies<'_>) -> Re
 
 /// The best fit from the near isometries that were followed.
 pub(crate) struct BestBent {
-    pub refined: Refined,
+    pub refined: FinalField,
     /// Its misfit at the scale of the sampling.
     pub fine_misfit: f64,
     /// The correspondences that were compared, the one kept first.
@@ -208,9 +209,9 @@ pub(crate) struct BestBent {
 }
 
 /// A near isometry after all stages.
-struct End {
+struct RefinedIsometry {
     start: NearIsometry,
-    refined: Refined,
+    refined: FinalField,
     /// The vertices of the source where they are moved, mm.
     moved: Vec<Point3<f64>>,
     /// The misfit at the scale of the sampling.
@@ -218,17 +219,17 @@ struct End {
     unexplained: Option<Unexplained>,
 }
 
-impl End {
-    fn of(over_form: &OverForm<'_>, start: NearIsometry, refined: Refined) -> End {
+impl RefinedIsometry {
+    fn of(over_form: &OverForm<'_>, start: NearIsometry, refined: FinalField) -> RefinedIsometry {
         let moved = over_form.moved(&refined);
         let misfit = fine_misfit(&over_form.displacement, &moved, false);
         let unexplained = unexplained(&over_form.displacement, &moved, false);
-        End { start, refined, moved, misfit, unexplained }
+        RefinedIsometry { start, refined, moved, misfit, unexplained }
     }
 
     /// Whether `other` explains the surfaces as well, though its corresponding points are more than `same_mm` away on
     /// average.
-    fn has_rival(&self, other: &End, groups: &Groups, same_mm: f64) -> bool {
+    fn has_rival(&self, other: &RefinedIsometry, groups: &VariableClusters, same_mm: f64) -> bool {
         let (Some(own), Some(others)) = (&self.unexplained, &other.unexplained) else { return false };
         let lead = groups.lead(&self.start.shares, &other.start.shares);
         !is_distinct(others.excess_over(own), lead) && mean_distance(&self.moved, &other.moved) > same_mm
@@ -247,10 +248,11 @@ pub(crate) fn best_of_lowest(
     let displacement = &over_form.displacement;
     let settings = &displacement.options.isometry;
     let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
-    let mut ends: Vec<Option<End>> = Vec::new();
+    let mut ends: Vec<Option<RefinedIsometry>> = Vec::new();
     for BentStart { start, state, .. } in starts.into_iter().take(settings.refined) {
-        let refined = if low.is_clearly_above_lowest(&start) { None } else { refined(displacement, state)? };
-        ends.push(refined.map(|refined| End::of(over_form, start, refined)));
+        let refined =
+            if low.is_clearly_above_lowest(&start) { None } else { run_remaining_stages(displacement, state)? };
+        ends.push(refined.map(|refined| RefinedIsometry::of(over_form, start, refined)));
     }
     let misfits = ends.iter().enumerate().filter_map(|(k, end)| Some((k, end.as_ref()?.misfit)));
     let Some((chosen, _)) = misfits.min_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(None) };
@@ -258,10 +260,10 @@ pub(crate) fn best_of_lowest(
     let same_mm = InferenceSettings::default().inlier * displacement.lengths.root_mm;
     for (start, end) in compared.iter_mut().zip(&ends) {
         if end.as_ref().is_some_and(|end| best.has_rival(end, &low.groups, same_mm)) {
-            start.finer = Finer::AsGood;
+            start.finer = ComparisonOutcome::AsGood;
         }
     }
-    compared[chosen].finer = Finer::Undecided;
+    compared[chosen].finer = ComparisonOutcome::Undecided;
     compared[..=chosen].rotate_right(1);
     Ok(Some(BestBent { refined: best.refined, fine_misfit: best.misfit, compared }))
 }
@@ -270,13 +272,13 @@ pub(crate) fn best_of_lowest(
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<BestBent, MatchError> {
+pub(crate) fn iterate_while_improving(over_form: &OverForm<'_>, mut best: BestBent) -> Result<BestBent, MatchError> {
     let displacement = &over_form.displacement;
     let settings = &displacement.options.isometry;
     for _ in 0..settings.passes {
         let Some(base) = rebased(displacement, &best.refined) else { break };
         let Some((_, state)) = over_form.coarse(&base) else { break };
-        let Some(next) = refined(displacement, state)? else { break };
+        let Some(next) = run_remaining_stages(displacement, state)? else { break };
         let misfit = fine_misfit(displacement, &over_form.moved(&next), false);
         let gain = best.fine_misfit - misfit;
         if gain > 0.0 {
@@ -290,14 +292,14 @@ pub(crate) fn repeated(over_form: &OverForm<'_>, mut best: BestBent) -> Result<B
 }
 
 /// The source bent by the correspondences of `start`, over their rigid part.
-fn bent(displacement: &Displacement<'_>, start: &NearIsometry) -> Option<Base> {
+fn bent(displacement: &FitContext<'_>, start: &NearIsometry) -> Option<InitialMap> {
     let pose = absolute_orientation(&start.points, &start.images, None, false).ok()?;
     let precision = (displacement.options.isometry.form_sigma * displacement.diagonal_mm).powi(-2);
     base_through(displacement, pose, &start.points, &start.images, precision)
 }
 
-/// The source moved by `refined`, as a base.
-fn rebased(displacement: &Displacement<'_>, refined: &Refined) -> Option<Base> {
+/// The source moved by `run_remaining_stages`, as a base.
+fn rebased(displacement: &FitContext<'_>, refined: &FinalField) -> Option<InitialMap> {
     let moved = refined.moved(&displacement.source.mesh);
     let precision = (displacement.options.isometry.rebased_sigma * displacement.diagonal_mm).powi(-2);
     base_through(displacement, refined.base.pose, displacement.source.mesh.vertices(), &moved, precision)
@@ -305,14 +307,14 @@ fn rebased(displacement: &Displacement<'_>, refined: &Refined) -> Option<Base> {
 
 /// The base over `pose` that moves `points` to their `images` (mm), each with a precision, 1/mm².
 fn base_through(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     pose: RigidTransform,
     points: &[Point3<f64>],
     images: &[Point3<f64>],
     precision: f64,
-) -> Option<Base> {
+) -> Option<InitialMap> {
     let observed: Vec<Observation> =
         points.iter().zip(images).map(|(p, q)| Observation::isotropic(q - pose.apply(p), precision)).collect();
     let field = fit_field(displacement.functions.values(points).as_ref(), &observed)?;
-    Some(Base::rigid(pose).bent_by(&field))
+    Some(InitialMap::rigid(pose).with_field(&field))
 }

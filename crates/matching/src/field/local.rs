@@ -10,12 +10,12 @@
 //! from the rigid pose, through all stages.
 
 use super::coarse::coarse_alone;
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::fine::{fine_in, sliding};
-use super::fitted::{Fine, LocalKernel, Refined, pose_of};
+use super::fitted::{FinalField, FineStageFit, LocalKernel, pose_of};
 use super::options::DisplacementOptions;
 use super::trace::TracedFit;
-use super::track::{Track, assigned};
+use super::track::{BaseEvaluation, assigned};
 use crate::error::MatchError;
 use crate::pair::assignment::{kernel, precision_of_features};
 use crate::pair::progress::PROGRESS_BEFORE_LOCAL;
@@ -41,12 +41,12 @@ fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &Displacement
 
 /// A field of both kernels.
 struct Local {
-    track: Track,
+    track: BaseEvaluation,
     field: FittedField,
 }
 
 /// The field with a second, narrower kernel; `None` if the residual heights of `fine` over the target are noise.
-pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Option<Refined>, MatchError> {
+pub(crate) fn local(displacement: &FitContext<'_>, fine: &FineStageFit) -> Result<Option<FinalField>, MatchError> {
     let moved = fine.moved();
     let settings = &displacement.options.local;
     let Some(found) = evidence(displacement, &moved) else { return Ok(None) };
@@ -61,7 +61,7 @@ pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Opti
     // A fit from the rigid pose drops the displacement along the surface by which the wide field followed narrow ones.
     // A bent base does not allow this.
     let found = match base.bend {
-        None => anew(&joint, &pose_of(displacement, &moved, &base.pose), &local)?,
+        None => fit_from_pose(&joint, &pose_of(displacement, &moved, &base.pose), &local)?,
         Some(_) => {
             let track = fine.track.with_functions_of(&joint);
             followed_locally(&joint, track, (moved, fine.feature_precision.clone()), joint.observer.begin(), &local)?
@@ -72,23 +72,23 @@ pub(crate) fn local(displacement: &Displacement<'_>, fine: &Fine) -> Result<Opti
 
 /// The field from `pose` with the kernel that the fit in the other direction found.
 pub(crate) fn locally_from(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     pose: &RigidTransform,
     local: &LocalKernel,
-) -> Result<Option<Refined>, MatchError> {
+) -> Result<Option<FinalField>, MatchError> {
     let Some(joint) = with_kernel(displacement, local) else { return Ok(None) };
-    let Some(kept) = anew(&joint, pose, local)? else { return Ok(None) };
+    let Some(kept) = fit_from_pose(&joint, pose, local)? else { return Ok(None) };
     Ok(Some(refined_locally(displacement, &joint, kept, 0.0, *local)))
 }
 
 fn refined_locally(
-    displacement: &Displacement<'_>,
-    joint: &Displacement<'_>,
+    displacement: &FitContext<'_>,
+    joint: &FitContext<'_>,
     kept: Local,
     residual_mm: f64,
     local: LocalKernel,
-) -> Refined {
-    Refined {
+) -> FinalField {
+    FinalField {
         base: kept.track.base,
         base_functions: displacement.functions.clone(),
         field: kept.field,
@@ -99,7 +99,7 @@ fn refined_locally(
 }
 
 /// This displacement with a second kernel.
-fn with_kernel<'a>(displacement: &'a Displacement<'_>, local: &LocalKernel) -> Option<Displacement<'a>> {
+fn with_kernel<'a>(displacement: &'a FitContext<'_>, local: &LocalKernel) -> Option<FitContext<'a>> {
     let mut prior = displacement.options.prior.of(displacement.diagonal_mm);
     prior.kernels.push(local.kernel);
     let functions = displacement.functions.with_prior(
@@ -111,8 +111,8 @@ fn with_kernel<'a>(displacement: &'a Displacement<'_>, local: &LocalKernel) -> O
 }
 
 /// The field of both kernels through all stages from a rigid base.
-fn anew(
-    displacement: &Displacement<'_>,
+fn fit_from_pose(
+    displacement: &FitContext<'_>,
     pose: &RigidTransform,
     local: &LocalKernel,
 ) -> Result<Option<Local>, MatchError> {
@@ -128,7 +128,7 @@ fn anew(
 }
 
 /// The most probable kernel of the heights of the source, with its vertices at `moved`, below the target.
-fn evidence(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Option<KernelEvidence> {
+fn evidence(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> Option<KernelEvidence> {
     let source = displacement.source.mesh.vertices();
     let step = source.len().div_ceil(displacement.options.local.evidence_samples);
     let picked: Vec<usize> = (0..source.len()).step_by(step).collect();
@@ -148,15 +148,15 @@ fn evidence(displacement: &Displacement<'_>, moved: &[Point3<f64>]) -> Option<Ke
 
 /// The field after some steps of `fit` from `moved`, with the precisions of the features there.
 fn followed_locally(
-    displacement: &Displacement<'_>,
-    track: Track,
+    displacement: &FitContext<'_>,
+    track: BaseEvaluation,
     (mut moved, mut precision): (Vec<Point3<f64>>, Vec<f64>),
     mut fit: TracedFit,
     local: &LocalKernel,
 ) -> Result<Option<Local>, MatchError> {
     let settings = &displacement.options.local;
     let thinned = displacement.source.thinned(settings.samples);
-    let target = displacement.target.packed();
+    let target = displacement.target.assignment_target();
     let values = displacement.guides.below(track.values(&thinned));
     let starts = track.starts(&thinned);
     let mirrored = track.base.pose.is_reflection();

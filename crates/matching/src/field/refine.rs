@@ -1,15 +1,18 @@
 //! All stages after the coarse one: middle, fine, and local or settling.
 
 use super::base::State;
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::fine::fine;
-use super::fitted::{Fine, Refined};
+use super::fitted::{FinalField, FineStageFit};
 use super::local::local;
-use super::settling::settled;
+use super::settling::settle;
 use crate::error::MatchError;
 
 /// The field after all stages.
-pub(crate) fn refined(displacement: &Displacement<'_>, start: State) -> Result<Option<Refined>, MatchError> {
+pub(crate) fn run_remaining_stages(
+    displacement: &FitContext<'_>,
+    start: State,
+) -> Result<Option<FinalField>, MatchError> {
     match fine(displacement, start)? {
         Some(fine) => refined_from(displacement, fine),
         None => Ok(None),
@@ -17,9 +20,12 @@ pub(crate) fn refined(displacement: &Displacement<'_>, start: State) -> Result<O
 }
 
 /// The field after the stages that follow the fine stage, from `fine`.
-pub(crate) fn refined_from(displacement: &Displacement<'_>, fine: Fine) -> Result<Option<Refined>, MatchError> {
+pub(crate) fn refined_from(
+    displacement: &FitContext<'_>,
+    fine: FineStageFit,
+) -> Result<Option<FinalField>, MatchError> {
     match local(displacement, &fine)? {
         Some(refined) => Ok(Some(refined)),
-        None => settled(displacement, fine),
+        None => settle(displacement, fine),
     }
 }

@@ -10,12 +10,12 @@
 //!
 //! An answer on a bent base has no rigid start, relative to which a displacement would be small; it is left as it is.
 
-use super::base::Base;
-use super::displacement::Displacement;
-use super::uncertainty::{Noise, Sample, gradient};
+use super::base::InitialMap;
+use super::displacement::FitContext;
+use super::uncertainty::{Noise, ObservationSample, gradient};
 use crate::error::MatchError;
 use crate::pair::assignment::FEATURE_SHARE;
-use crate::surface::smooth::{N_FEATURES, Thinned};
+use crate::surface::smooth::{N_FEATURES, Subsample};
 use faer::Mat;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::checkpoint;
@@ -34,13 +34,13 @@ const AT_REST: f64 = 0.02;
 const WEIGHT_OF_FEATURE: f64 = 2.0 * FEATURE_SHARE / N_FEATURES as f64;
 
 /// Points of the source and where they are moved, mm.
-pub(super) struct Moved<'a> {
+pub(super) struct PointSet<'a> {
     pub points: &'a [Point3<f64>],
     pub moved: &'a mut Vec<Point3<f64>>,
 }
 
 /// The noise of heights and features, estimated from the pair.
-struct Noises {
+struct NoiseModel {
     of_heights: Noise,
     of_features: Vec<Option<Noise>>,
 }
@@ -54,17 +54,17 @@ struct Noises {
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(super) fn relax(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     rigid: &RigidTransform,
     moved: &mut Vec<Point3<f64>>,
-    sets: &mut [Moved<'_>],
+    sets: &mut [PointSet<'_>],
 ) -> Result<(), MatchError> {
     let vertices = displacement.source.mesh.vertices();
     let start: Vec<Point3<f64>> = vertices.iter().map(|p| rigid.apply(p)).collect();
-    let sample = Sample::of(displacement, &start, moved);
+    let sample = ObservationSample::of(displacement, &start, moved);
     let Some((prior, noise_mm)) = sample.prior(displacement) else { return Ok(()) };
     let root_mm = displacement.lengths.root_mm;
-    let noises = Noises {
+    let noises = NoiseModel {
         of_heights: sample.noise_of_heights(noise_mm, root_mm),
         of_features: (0..N_FEATURES).map(|feature| sample.noise_of_feature(feature, root_mm)).collect(),
     };
@@ -73,7 +73,7 @@ pub(super) fn relax(
     let thinned = joint.source.thinned(joint.options.n_samples[2]);
     let values = joint.guides.below(joint.functions.values(&thinned.points));
     let guided: Vec<Information> =
-        joint.guides.observations(&Base::rigid(*rigid)).iter().map(Information::from).collect();
+        joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();
     let of_vertices = joint.functions.values(vertices);
     let slopes = slopes(&joint.target.mesh, &joint.target.features);
     let of_sets: Vec<Mat<f64>> = sets.iter().map(|set| joint.functions.values(set.points)).collect();
@@ -125,10 +125,10 @@ fn slopes(mesh: &SurfaceMesh, features: &[f64]) -> Vec<[Vector3<f64>; N_FEATURES
 /// What the surfaces say of the displacement at each point of `thinned`, where the vertices of the source are displaced
 /// from `start` to `moved`. Nothing is known beyond the rim of the target.
 fn observed(
-    displacement: &Displacement<'_>,
-    thinned: &Thinned,
+    displacement: &FitContext<'_>,
+    thinned: &Subsample,
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
-    (noises, slopes): (&Noises, &[[Vector3<f64>; N_FEATURES]]),
+    (noises, slopes): (&NoiseModel, &[[Vector3<f64>; N_FEATURES]]),
 ) -> Vec<Information> {
     let (source, target) = (&displacement.source, &displacement.target);
     let closest = target.closest();
@@ -157,7 +157,7 @@ fn observed(
 /// `moved`, the places of `points` of the source, slid along the target to where `field` moves them from `rigid`, at
 /// their distance from it. `values`: its functions at the points.
 fn slid(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     rigid: &RigidTransform,
     (points, moved): (&[Point3<f64>], &[Point3<f64>]),
     (field, values): (&FittedField, &Mat<f64>),

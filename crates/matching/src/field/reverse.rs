@@ -1,14 +1,14 @@
 //! The fit in the other direction, of the target to the source.
 
 use super::agreement::agreement;
-use super::choice::chosen;
+use super::choice::choose_pose;
 use super::coarse::coarse_alone;
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::fine::fine;
-use super::fitted::{Fine, LocalKernel};
+use super::fitted::{FineStageFit, LocalKernel};
 use super::functions::Functions;
 use super::local::locally_from;
-use super::refine::refined;
+use super::refine::run_remaining_stages;
 use crate::error::MatchError;
 use crate::pair::surfaces::{Surfaces, diagonal_mm};
 use crate::starts::start_pose::StartPose;
@@ -18,10 +18,10 @@ use std::sync::Arc;
 
 /// The fit of the target to the source after the fine stage.
 pub(crate) struct ReverseFit<'a> {
-    pub displacement: Displacement<'a>,
+    pub displacement: FitContext<'a>,
     /// The pose from which the fit began.
     pub pose: RigidTransform,
-    pub fine: Fine,
+    pub fine: FineStageFit,
 }
 
 impl ReverseFit<'_> {
@@ -41,21 +41,21 @@ impl ReverseFit<'_> {
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(crate) fn reverse_fit<'a>(
-    displacement: &'a Displacement<'_>,
+    displacement: &'a FitContext<'_>,
     surfaces: &Surfaces<'_>,
     pose: &RigidTransform,
 ) -> Result<Option<ReverseFit<'a>>, MatchError> {
     let Some(back) = backwards(displacement, surfaces) else { return Ok(None) };
     let pose = pose.inverse();
-    let Some(start) = chosen(&back, &[StartPose::of(pose)], |_| true)? else { return Ok(None) };
+    let Some(start) = choose_pose(&back, &[StartPose::of(pose)], |_| true)? else { return Ok(None) };
     let fine = fine(&back, start.state)?;
     Ok(fine.map(|fine| ReverseFit { displacement: back, pose, fine }))
 }
 
 /// The displacement of the target onto the source. `None` if a number is not finite.
-fn backwards<'a>(displacement: &'a Displacement<'_>, surfaces: &Surfaces<'_>) -> Option<Displacement<'a>> {
+fn backwards<'a>(displacement: &'a FitContext<'_>, surfaces: &Surfaces<'_>) -> Option<FitContext<'a>> {
     let functions = Functions::over(surfaces.target, &displacement.target, displacement.options)?;
-    Some(Displacement {
+    Some(FitContext {
         source: Arc::clone(&displacement.target),
         target: Arc::clone(&displacement.source),
         guides: displacement.guides.swapped(&functions),
@@ -69,8 +69,8 @@ fn backwards<'a>(displacement: &'a Displacement<'_>, surfaces: &Surfaces<'_>) ->
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn returned(
-    displacement: &Displacement<'_>,
+pub(crate) fn backward_positions(
+    displacement: &FitContext<'_>,
     surfaces: &Surfaces<'_>,
     pose: &RigidTransform,
     local: Option<LocalKernel>,
@@ -80,7 +80,7 @@ pub(crate) fn returned(
     let refined = match local {
         Some(local) => locally_from(&back, &inverse, &local)?,
         None => match coarse_alone(&back, &inverse) {
-            Some(state) => refined(&back, state)?,
+            Some(state) => run_remaining_stages(&back, state)?,
             None => None,
         },
     };

@@ -11,14 +11,14 @@
 
 use super::base::State;
 use super::deformation_evidence::{deformation_evidence, lead, resolution_mm};
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::fine::fine_aside;
 use super::fine_misfit::{COMPARISON_SAMPLES, COMPARISON_SCALE};
 use super::fitted::pose_of;
 use super::track::placed;
 use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced};
-use crate::poses::compared::{ComparedPose, Finer};
+use crate::poses::compared::{ComparedPose, ComparisonOutcome};
 use homolog_primitives::points::FarthestPoints;
 use homolog_registration::alignment::{OrientedPoints, point_misfits};
 use homolog_registration::deformation::HeightEvidence;
@@ -45,7 +45,7 @@ pub(crate) struct Unexplained(Vec<f64>);
 
 /// Result of the comparison of two starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Evidence {
+pub(crate) enum Preference {
     /// The first explains more.
     First,
     /// The second explains more.
@@ -64,14 +64,14 @@ impl Unexplained {
         mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
     }
 
-    pub(crate) fn evidence(&self, other: &Unexplained) -> Evidence {
+    pub(crate) fn evidence(&self, other: &Unexplained) -> Preference {
         let excess = self.excess_over(other);
         if excess > DISTINCT_STARTS {
-            Evidence::Second
+            Preference::Second
         } else if excess < -DISTINCT_STARTS {
-            Evidence::First
+            Preference::First
         } else {
-            Evidence::Equal
+            Preference::Equal
         }
     }
 }
@@ -106,8 +106,8 @@ pub(crate) struct Chosen {
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn decided(
-    displacement: &Displacement<'_>,
+pub(crate) fn compare_candidates(
+    displacement: &FitContext<'_>,
     mut candidates: Vec<Candidate>,
 ) -> Result<Option<Chosen>, MatchError> {
     // A fit with one start, such as the fit in the other direction, has no rival.
@@ -115,10 +115,10 @@ pub(crate) fn decided(
     let coarse: Vec<Option<Unexplained>> =
         compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
     let mut chosen = 0;
-    let mut of_chosen: Option<End> = None;
+    let mut of_chosen: Option<ComparedFit> = None;
     for k in 1..candidates.len() {
         let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
-        if candidates[k].compared.finer != Finer::Undecided {
+        if candidates[k].compared.finer != ComparisonOutcome::Undecided {
             continue;
         }
         let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
@@ -126,7 +126,7 @@ pub(crate) fn decided(
         // better.
         let coarse_excess = other.excess_over(own);
         if coarse_excess > if of_other_hand { 0.0 } else { RULED_OUT } {
-            candidates[k].compared.finer = Finer::Outdone;
+            candidates[k].compared.finer = ComparisonOutcome::Outdone;
             continue;
         }
         if of_chosen.is_none() {
@@ -136,26 +136,26 @@ pub(crate) fn decided(
             continue;
         };
         let fate = match (own.unexplained.evidence(&found.unexplained), of_other_hand) {
-            (_, false) if displacement.are_same(&own.pose, &found.pose, SAME_POSE_ANGLE) => Finer::Same,
-            (Evidence::First, _) | (Evidence::Equal, true) => Finer::Outdone,
+            (_, false) if displacement.are_same(&own.pose, &found.pose, SAME_POSE_ANGLE) => ComparisonOutcome::Same,
+            (Preference::First, _) | (Preference::Equal, true) => ComparisonOutcome::Outdone,
             // At a fine scale all poses of two subjects or of noisy surfaces explain about the same; at the coarse scale
             // one may explain less, or it needs the larger deformation.
-            (Evidence::Equal, false)
+            (Preference::Equal, false)
                 if coarse_excess > DISTINCT_STARTS || own.is_distinct_from(&found, displacement) =>
             {
-                Finer::Outdone
+                ComparisonOutcome::Outdone
             }
-            (Evidence::Equal, false) => Finer::AsGood,
-            (Evidence::Second, true) => Finer::Better,
-            (Evidence::Second, false) => {
+            (Preference::Equal, false) => ComparisonOutcome::AsGood,
+            (Preference::Second, true) => ComparisonOutcome::Better,
+            (Preference::Second, false) => {
                 // Starts as good as the previous winner are outdone with it.
                 for candidate in &mut candidates[..k] {
-                    if matches!(candidate.compared.finer, Finer::Undecided | Finer::AsGood) {
-                        candidate.compared.finer = Finer::Outdone;
+                    if matches!(candidate.compared.finer, ComparisonOutcome::Undecided | ComparisonOutcome::AsGood) {
+                        candidate.compared.finer = ComparisonOutcome::Outdone;
                     }
                 }
                 (chosen, of_chosen) = (k, Some(found));
-                Finer::Undecided
+                ComparisonOutcome::Undecided
             }
         };
         candidates[k].compared.finer = fate;
@@ -169,7 +169,7 @@ pub(crate) fn decided(
 }
 
 /// Where a start ends after a fine stage.
-struct End {
+struct ComparedFit {
     unexplained: Unexplained,
     /// The vertices of the source there, and their rigid part.
     moved: Vec<Point3<f64>>,
@@ -178,13 +178,13 @@ struct End {
     deformation: OnceLock<Option<HeightEvidence>>,
 }
 
-impl End {
-    fn deformation(&self, displacement: &Displacement<'_>) -> Option<&HeightEvidence> {
+impl ComparedFit {
+    fn deformation(&self, displacement: &FitContext<'_>) -> Option<&HeightEvidence> {
         self.deformation.get_or_init(|| deformation_evidence(displacement, &self.moved, &self.pose)).as_ref()
     }
 
     /// Whether this end is better than `other` by what both leave unexplained and by their deformations together.
-    fn is_distinct_from(&self, other: &End, displacement: &Displacement<'_>) -> bool {
+    fn is_distinct_from(&self, other: &ComparedFit, displacement: &FitContext<'_>) -> bool {
         let lead = match rayon::join(|| self.deformation(displacement), || other.deformation(displacement)) {
             (Some(own), Some(other)) => lead(own, other, resolution_mm(displacement)),
             _ => 0.0,
@@ -194,7 +194,7 @@ impl End {
 }
 
 /// Unexplained residual of the field of the coarse stage, at the scale at which that stage ends.
-fn unexplained_coarsely(displacement: &Displacement<'_>, candidate: &Candidate) -> Option<Unexplained> {
+fn unexplained_coarsely(displacement: &FitContext<'_>, candidate: &Candidate) -> Option<Unexplained> {
     let n = displacement.options.n_samples[0];
     let (thinned, target) = (displacement.source.thinned(n), displacement.target.thinned(n));
     let values = displacement.functions.values(&thinned.points);
@@ -203,34 +203,30 @@ fn unexplained_coarsely(displacement: &Displacement<'_>, candidate: &Candidate) 
     let normals: Vec<Vector3<f64>> = thinned.normals.iter().map(|n| candidate.pose.rotation * n).collect();
     let kernel = comparison_kernel(displacement.options.sigma[1] * displacement.diagonal_mm);
     let samples = OrientedPoints { points: &moved, normals: &normals, ..thinned.samples() };
-    let found = point_misfits(&samples, &target.packed(), &kernel);
+    let found = point_misfits(&samples, &target.assignment_target(), &kernel);
     let mut patches = patch_means(&thinned.points, &thinned.areas, &found.of_source);
     patches.extend(patch_means(&target.points, &target.areas, &found.of_target));
     Some(Unexplained(patches))
 }
 
 /// The end of a start after a fine stage; `None` if a number is not finite.
-fn unexplained_finely(displacement: &Displacement<'_>, candidate: &Candidate) -> Result<Option<End>, MatchError> {
+fn unexplained_finely(displacement: &FitContext<'_>, candidate: &Candidate) -> Result<Option<ComparedFit>, MatchError> {
     let Some(fine) = fine_aside(displacement, candidate.state.clone())? else { return Ok(None) };
     let moved = fine.moved();
     let pose = pose_of(displacement, &moved, &candidate.pose);
     let unexplained = unexplained(displacement, &moved, candidate.compared.mirrored);
-    Ok(unexplained.map(|unexplained| End { unexplained, moved, pose, deformation: OnceLock::new() }))
+    Ok(unexplained.map(|unexplained| ComparedFit { unexplained, moved, pose, deformation: OnceLock::new() }))
 }
 
 /// Unexplained residual with the vertices of the source at `moved`; `mirrored`: whether the pose mirrors the source.
-pub(crate) fn unexplained(
-    displacement: &Displacement<'_>,
-    moved: &[Point3<f64>],
-    mirrored: bool,
-) -> Option<Unexplained> {
+pub(crate) fn unexplained(displacement: &FitContext<'_>, moved: &[Point3<f64>], mirrored: bool) -> Option<Unexplained> {
     let thinned = displacement.source.thinned(COMPARISON_SAMPLES);
     // At the scale of the sampling, or of the noise if that is larger.
     let scale_mm = COMPARISON_SCALE * displacement.lengths.root_mm * displacement.source.coarsening;
     let kernel = comparison_kernel(scale_mm);
     let placed = placed(displacement, moved, mirrored, &thinned)?;
     let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
-    let found = point_misfits(&samples, &displacement.target.packed(), &kernel);
+    let found = point_misfits(&samples, &displacement.target.assignment_target(), &kernel);
     let (mut of_source, of_target) = rayon::join(
         || patch_means(&thinned.points, &thinned.areas, &found.of_source),
         || patch_means(displacement.target.mesh.vertices(), &displacement.target.areas, &found.of_target),
@@ -263,14 +259,14 @@ mod tests {
         let mut drawn = |shift: f64| Unexplained((0..128).map(|_| number() + shift).collect());
         let mut wrong = 0;
         for _ in 0..300 {
-            wrong += u32::from(drawn(0.0).evidence(&drawn(0.0)) != Evidence::Equal);
+            wrong += u32::from(drawn(0.0).evidence(&drawn(0.0)) != Preference::Equal);
         }
         assert!(wrong <= 3, "{wrong} of 300");
-        assert_eq!(drawn(0.5).evidence(&drawn(0.0)), Evidence::Second);
-        assert_eq!(drawn(0.0).evidence(&drawn(0.5)), Evidence::First);
+        assert_eq!(drawn(0.5).evidence(&drawn(0.0)), Preference::Second);
+        assert_eq!(drawn(0.0).evidence(&drawn(0.5)), Preference::First);
         // A start has no excess over itself.
         let same = drawn(0.0);
-        assert_eq!(same.evidence(&same), Evidence::Equal);
+        assert_eq!(same.evidence(&same), Preference::Equal);
     }
 
     #[test]

@@ -7,7 +7,7 @@
 //! weighted by probability, is added to the variance.
 
 use super::coarse::{coarse_alone, screening};
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::fine::fine_aside;
 use super::fine_misfit::fine_misfit;
 use super::options::DisplacementOptions;
@@ -36,7 +36,7 @@ const FLAT: f64 = 0.024;
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(crate) fn spread_of_rotations(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     points: &[Point3<f64>],
     pose: &RigidTransform,
 ) -> Result<Option<Vec<f64>>, MatchError> {
@@ -64,7 +64,7 @@ pub(crate) fn spread_of_rotations(
 }
 
 /// Whether the mean misfit of the other starts is less than [`FLAT`] above that of the first.
-fn is_flat(displacement: &Displacement<'_>, starts: &[RigidTransform]) -> bool {
+fn is_flat(displacement: &FitContext<'_>, starts: &[RigidTransform]) -> bool {
     let Some(found) = starts.par_iter().map(screening(displacement)).collect::<Option<Vec<f64>>>() else {
         return false;
     };

@@ -30,27 +30,27 @@
 //! from the tangent plane).
 
 use super::agreement::{Agreement, agreement};
-use super::choice::chosen;
+use super::choice::choose_pose;
 use super::deformed::Deformed;
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use super::fine::fine;
-use super::finish::{finished, finished_back, moved_rigidly};
-use super::fitted::{Fine, Refined};
+use super::finish::{finish_backward_fit, finish_fit, moved_rigidly};
+use super::fitted::{FinalField, FineStageFit};
 use super::functions::Functions;
-use super::guides::Guides;
-use super::isometry::{OverForm, bent_starts, best_of_lowest, low_energies, repeated};
+use super::guides::LandmarkObservations;
+use super::isometry::{OverForm, bent_starts, best_of_lowest, iterate_while_improving, low_energies};
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, reverse_fit};
 use super::rivals::{Chosen, PREFERRED, unexplained};
 use super::settings::RouteSettings;
-use super::straightened::bent_back;
+use super::straightened::unstraighten;
 use super::trace::FitTrace;
 use crate::error::MatchError;
 use crate::pair::role::Role;
 use crate::pair::smooth_pair::SmoothPair;
 use crate::pair::surfaces::{Surfaces, diagonal_mm, differ_in_spread, swapped};
-use crate::poses::compared::{ComparedPose, Finer};
+use crate::poses::compared::{ComparedPose, ComparisonOutcome};
 use crate::poses::rigid_part::RigidPart;
 use crate::starts::limbs::may_branch;
 use crate::starts::start_pose::StartPose;
@@ -140,17 +140,17 @@ fn from_source(
 ) -> Result<Option<Fitted>, MatchError> {
     let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
     let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
-    let Some(Chosen { pose, state, mut compared }) = chosen(&forward, poses, may_answer)? else { return Ok(None) };
+    let Some(Chosen { pose, state, mut compared }) = choose_pose(&forward, poses, may_answer)? else { return Ok(None) };
     if least_misfit(&compared) >= request.to_beat {
         return Ok(None);
     }
     let mut reverse = reverse_of_subjects(surfaces, &forward, &pose)?;
-    let evidence = Evidence::of(&compared, surfaces);
+    let evidence = CoarseFindings::of(&compared, surfaces);
     // Doubts are checked before the field is narrow: a narrow field makes surfaces agree even from a wrong start.
     if evidence.may_stand()
         && let Some(reverse) = reverse.take_if(|reverse| !reverse.is_doubtful())
     {
-        let deformed = finished_back(reverse, surfaces)?;
+        let deformed = finish_backward_fit(reverse, surfaces)?;
         return Ok(deformed.map(|deformed| Fitted { deformed, compared }));
     }
     let Some(fine) = fine(&forward, state)? else { return Ok(None) };
@@ -158,7 +158,7 @@ fn from_source(
     if let Some(deformed) = as_copies(surfaces, &forward, (&pose, poses), (&fine, &wide), &mut compared)? {
         return Ok(Some(Fitted { deformed, compared }));
     }
-    compared.retain(|start| start.finer != Finer::Same);
+    compared.retain(|start| start.finer != ComparisonOutcome::Same);
     let doubtful = evidence.mirror_image_fits_better || is_doubtful(surfaces, &forward, &wide);
     let straightening = Straightening::of(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route);
     let to_beat = least_misfit(&compared) - request.options.route.straight;
@@ -170,7 +170,7 @@ fn from_source(
     let (end, route) = if !evidence.is_mirrored && (doubtful || evidence.branching) {
         by_isometry(surfaces, &forward, (fine, wide), doubtful, evidence.branching)?
     } else {
-        (RigidEnd::Fine(fine), None)
+        (RigidEnd::FineStageFit(fine), None)
     };
     let refined = match (route, reverse) {
         (Some(route), _) => {
@@ -178,19 +178,19 @@ fn from_source(
             compared.retain(|rigid| !(rigid.mirrored && route.is_of_same_handedness));
             // The near isometry has a lower misfit at the scale of the sampling than all rigid poses except mirror
             // images that fit better.
-            let outdone = |rigid: &&mut ComparedPose| rigid.finer != Finer::Better;
-            compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = Finer::Outdone);
+            let outdone = |rigid: &&mut ComparedPose| rigid.finer != ComparisonOutcome::Better;
+            compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = ComparisonOutcome::Outdone);
             compared = route.compared.into_iter().chain(compared).collect();
             Some(route.refined)
         }
         (None, Some(reverse)) => {
-            let deformed = finished_back(reverse, surfaces)?;
+            let deformed = finish_backward_fit(reverse, surfaces)?;
             return Ok(deformed.map(|deformed| Fitted { deformed, compared }));
         }
-        (None, None) => end.refined(&forward)?,
+        (None, None) => end.run_remaining_stages(&forward)?,
     };
     let Some(refined) = refined else { return Ok(None) };
-    let deformed = finished(&forward, surfaces, refined, &pose)?;
+    let deformed = finish_fit(&forward, surfaces, refined, &pose)?;
     Ok(deformed.map(|deformed| Fitted { deformed, compared }))
 }
 
@@ -199,12 +199,12 @@ fn shared<'a>(
     surfaces: &Surfaces<'_>,
     (smooth_source, smooth_target): SmoothPair,
     request: Request<'a>,
-) -> Result<Option<Displacement<'a>>, MatchError> {
+) -> Result<Option<FitContext<'a>>, MatchError> {
     let Surfaces { source, landmarks, part, lengths, .. } = *surfaces;
     checkpoint(request.observer)?;
     let Some(functions) = Functions::over(source, &smooth_source, request.options) else { return Ok(None) };
-    let guides = Guides::new(landmarks, &functions, lengths.root_mm);
-    Ok(Some(Displacement {
+    let guides = LandmarkObservations::new(landmarks, &functions, lengths.root_mm);
+    Ok(Some(FitContext {
         source: smooth_source,
         target: smooth_target,
         functions,
@@ -220,7 +220,7 @@ fn shared<'a>(
 /// The fit in the other direction, for closed surfaces of two subjects whose target is more spread out.
 fn reverse_of_subjects<'a>(
     surfaces: &Surfaces<'_>,
-    forward: &'a Displacement<'_>,
+    forward: &'a FitContext<'_>,
     pose: &RigidTransform,
 ) -> Result<Option<ReverseFit<'a>>, MatchError> {
     if surfaces.open || !surfaces.is_fitted_backwards() {
@@ -230,7 +230,7 @@ fn reverse_of_subjects<'a>(
 }
 
 /// Findings of the coarse stage.
-struct Evidence {
+struct CoarseFindings {
     /// Whether the chosen pose mirrors; straightened surfaces and near isometries are then not tried.
     is_mirrored: bool,
     mirror_image_fits_better: bool,
@@ -238,10 +238,10 @@ struct Evidence {
     branching: bool,
 }
 
-impl Evidence {
-    fn of(compared: &[ComparedPose], surfaces: &Surfaces<'_>) -> Evidence {
+impl CoarseFindings {
+    fn of(compared: &[ComparedPose], surfaces: &Surfaces<'_>) -> CoarseFindings {
         let best = &compared[0];
-        Evidence {
+        CoarseFindings {
             is_mirrored: best.mirrored,
             mirror_image_fits_better: compared.iter().any(|c| c.mirrored && c.misfit < best.misfit),
             branching: !best.mirrored && may_branch(surfaces),
@@ -258,9 +258,9 @@ impl Evidence {
 /// their rim.
 fn as_copies(
     surfaces: &Surfaces<'_>,
-    forward: &Displacement<'_>,
+    forward: &FitContext<'_>,
     (pose, poses): (&RigidTransform, &[StartPose]),
-    (fine, wide): (&Fine, &[Point3<f64>]),
+    (fine, wide): (&FineStageFit, &[Point3<f64>]),
     compared: &mut [ComparedPose],
 ) -> Result<Option<Deformed>, MatchError> {
     if !surfaces.open {
@@ -272,14 +272,14 @@ fn as_copies(
     // Another pose is as good if it is also one of copies.
     for other in &mut compared[1..] {
         let is_other = alignment.copies_elsewhere(&other.origin.rigid(poses), &transform)?;
-        other.finer = if is_other { Finer::AsGood } else { Finer::Outdone };
+        other.finer = if is_other { ComparisonOutcome::AsGood } else { ComparisonOutcome::Outdone };
     }
     Ok(Some(moved_rigidly(forward, surfaces, transform, fine.residual_mm)))
 }
 
 /// Whether surfaces, the source at `moved`, may agree better from another start: whether they agree less than their
 /// noise explains.
-fn is_doubtful(surfaces: &Surfaces<'_>, forward: &Displacement<'_>, moved: &[Point3<f64>]) -> bool {
+fn is_doubtful(surfaces: &Surfaces<'_>, forward: &FitContext<'_>, moved: &[Point3<f64>]) -> bool {
     let (found, settings) = (agreement(forward, moved), &forward.options.route);
     if !found.is_doubtful(settings) || forward.source.coarsening <= 1.0 {
         return found.is_doubtful(settings);
@@ -305,7 +305,7 @@ enum Straightening {
 impl Straightening {
     fn of(
         surfaces: &Surfaces<'_>,
-        evidence: &Evidence,
+        evidence: &CoarseFindings,
         doubtful: bool,
         residual_mm: f64,
         settings: &RouteSettings,
@@ -346,29 +346,29 @@ fn by_tubes(
     checkpoint(request.observer)?;
     let straight = tubes.straight(surfaces);
     let Some(found) = from_source(&straight, straight.smoothed()?, &poses, request)? else { return Ok(None) };
-    let found = bent_back(surfaces, &tubes, found.deformed, found.compared, &poses);
+    let found = unstraighten(surfaces, &tubes, found.deformed, found.compared, &poses);
     Ok(found.map(|(deformed, compared)| Fitted { deformed, compared }))
 }
 
 /// The fit from the chosen pose, after some or all stages.
 enum RigidEnd {
-    Fine(Fine),
+    FineStageFit(FineStageFit),
     /// After all stages; `None` if a number was not finite.
-    Refined(Option<Refined>),
+    FinalField(Option<FinalField>),
 }
 
 impl RigidEnd {
-    fn refined(self, forward: &Displacement<'_>) -> Result<Option<Refined>, MatchError> {
+    fn run_remaining_stages(self, forward: &FitContext<'_>) -> Result<Option<FinalField>, MatchError> {
         match self {
-            RigidEnd::Fine(fine) => refined_from(forward, fine),
-            RigidEnd::Refined(refined) => Ok(refined),
+            RigidEnd::FineStageFit(fine) => refined_from(forward, fine),
+            RigidEnd::FinalField(refined) => Ok(refined),
         }
     }
 }
 
 /// An answer from a near isometry.
 struct IsometryRoute {
-    refined: Refined,
+    refined: FinalField,
     /// The correspondences that were compared, the one kept first.
     compared: Vec<ComparedPose>,
     /// Whether the energy is no higher than that of the mirrored source, which also holds for a body whose left and
@@ -379,19 +379,19 @@ struct IsometryRoute {
 /// The best answer from near isometries, if it explains the surfaces clearly better than the fit from the chosen pose.
 fn by_isometry(
     surfaces: &Surfaces<'_>,
-    forward: &Displacement<'_>,
-    (fine, wide): (Fine, Vec<Point3<f64>>),
+    forward: &FitContext<'_>,
+    (fine, wide): (FineStageFit, Vec<Point3<f64>>),
     doubtful: bool,
     branching: bool,
 ) -> Result<(RigidEnd, Option<IsometryRoute>), MatchError> {
     let (Some(source), Some(target)) = ((surfaces.side_of)(Role::Source), (surfaces.side_of)(Role::Target)) else {
-        return Ok((RigidEnd::Fine(fine), None));
+        return Ok((RigidEnd::FineStageFit(fine), None));
     };
     // The misfit of surfaces that agree is at its lowest only after the local stage.
-    let end = if doubtful { RigidEnd::Fine(fine) } else { RigidEnd::Refined(refined_from(forward, fine)?) };
+    let end = if doubtful { RigidEnd::FineStageFit(fine) } else { RigidEnd::FinalField(refined_from(forward, fine)?) };
     let reached = match &end {
-        RigidEnd::Refined(Some(found)) => found.moved(&forward.source.mesh),
-        RigidEnd::Refined(None) | RigidEnd::Fine(_) => wide,
+        RigidEnd::FinalField(Some(found)) => found.moved(&forward.source.mesh),
+        RigidEnd::FinalField(None) | RigidEnd::FineStageFit(_) => wide,
     };
     let low = low_energies(forward, source, target, &reached)?;
     // The present answer has the lowest energy. Surfaces with limbs go on: a fit that is smooth along the surface is
@@ -403,7 +403,7 @@ fn by_isometry(
     let Some(over_form) = source.form().and_then(|form| OverForm::new(forward, form)) else { return Ok((end, None)) };
     let starts = bent_starts(&over_form, &low)?;
     let Some(best) = best_of_lowest(&over_form, starts, &low)? else { return Ok((end, None)) };
-    let best = repeated(&over_form, best)?;
+    let best = iterate_while_improving(&over_form, best)?;
     let of_bent_end = unexplained(forward, &best.refined.moved(&forward.source.mesh), false);
     let explains_more = match (of_rigid_end, of_bent_end) {
         (Some(rigid), Some(bent)) => rigid.excess_over(&bent) > PREFERRED,

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 /// Converts `deformed`, a deformation of straightened surfaces, to a deformation of the original ones, and the starts
 /// `compared` from their `poses`, the one kept first. `None` if a number is not finite.
-pub(crate) fn bent_back(
+pub(crate) fn unstraighten(
     surfaces: &Surfaces<'_>,
     tubes: &Tubes<'_>,
     deformed: Deformed,
@@ -48,6 +48,6 @@ pub(crate) fn bent_back(
         };
         surfaces.full_source.vertices().par_iter().map(carried).unzip()
     };
-    along::raise(&mut variances, error, &surfaces.lengths);
+    along::raise_variances(&mut variances, error, &surfaces.lengths);
     Some((Deformed { moved, variances, transform, ..deformed }, compared))
 }

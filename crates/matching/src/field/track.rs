@@ -1,17 +1,17 @@
 //! One step of a field: the place of the source, and the target points assigned to it.
 
-use super::base::Base;
-use super::displacement::Displacement;
+use super::base::InitialMap;
+use super::displacement::FitContext;
 use crate::pair::assignment::displaced;
-use crate::surface::smooth::Thinned;
+use crate::surface::smooth::Subsample;
 use faer::Mat;
 use homolog_registration::alignment::{Assignment, AssignmentKernel, AssignmentTarget, OrientedPoints, assign};
 use homolog_registration::deformation::{FittedField, Observation};
 use nalgebra::{Point3, Vector3};
 
 /// The vertices of the source after the base, and the functions of the field that moves them on.
-pub(crate) struct Track {
-    pub base: Base,
+pub(crate) struct BaseEvaluation {
+    pub base: InitialMap,
     /// The vertices after the base, mm.
     start: Vec<Point3<f64>>,
     /// Every function at every vertex.
@@ -33,17 +33,17 @@ pub(crate) struct Assigned {
     pub found: Assignment,
 }
 
-impl Track {
-    pub(crate) fn new(displacement: &Displacement<'_>, base: Base) -> Track {
+impl BaseEvaluation {
+    pub(crate) fn new(displacement: &FitContext<'_>, base: InitialMap) -> BaseEvaluation {
         let vertices = displacement.source.mesh.vertices();
         let values = displacement.functions.values(vertices);
         let start = base.moved(vertices, &values);
-        Track { start, values, guided: displacement.guides.observations(&base), base }
+        BaseEvaluation { start, values, guided: displacement.guides.observations(&base), base }
     }
 
     /// The same source on the same base, for a field of other functions.
-    pub(crate) fn with_functions_of(&self, displacement: &Displacement<'_>) -> Track {
-        Track {
+    pub(crate) fn with_functions_of(&self, displacement: &FitContext<'_>) -> BaseEvaluation {
+        BaseEvaluation {
             base: self.base.clone(),
             start: self.start.clone(),
             values: displacement.functions.values(displacement.source.mesh.vertices()),
@@ -57,12 +57,12 @@ impl Track {
     }
 
     /// The vertices of `thinned` after the base, mm.
-    pub(crate) fn starts(&self, thinned: &Thinned) -> Vec<Point3<f64>> {
+    pub(crate) fn starts(&self, thinned: &Subsample) -> Vec<Point3<f64>> {
         thinned.vertices.iter().map(|&i| self.start[i]).collect()
     }
 
     /// The functions at the vertices of `thinned`.
-    pub(crate) fn values(&self, thinned: &Thinned) -> Mat<f64> {
+    pub(crate) fn values(&self, thinned: &Subsample) -> Mat<f64> {
         Mat::from_fn(thinned.vertices.len(), self.values.ncols(), |i, k| self.values[(thinned.vertices[i], k)])
     }
 
@@ -75,10 +75,10 @@ impl Track {
 
 /// The points of `target` assigned to the source with its vertices at `moved`, see [`placed`].
 pub(crate) fn assigned(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     moved: &[Point3<f64>],
     mirrored: bool,
-    thinned: &Thinned,
+    thinned: &Subsample,
     target: &AssignmentTarget,
     kernel: &AssignmentKernel,
 ) -> Option<Assigned> {
@@ -92,10 +92,10 @@ pub(crate) fn assigned(
 /// and point outwards, also after a `mirrored` pose, which turns all faces inside out. `None` if a number is not
 /// finite.
 pub(crate) fn placed(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     moved: &[Point3<f64>],
     mirrored: bool,
-    thinned: &Thinned,
+    thinned: &Subsample,
 ) -> Option<Placed> {
     if !moved.iter().all(|p| p.iter().all(|x| x.is_finite())) {
         return None;

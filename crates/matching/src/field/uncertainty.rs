@@ -11,10 +11,10 @@
 //! residual of this process, the noise of features their difference at corresponding points. Residuals of neighbors are
 //! correlated, so the weight of a point is its area over the area within which they are correlated. On a curved target
 //! a height also has a linearization error, which grows with the posterior variance along the surface: both are
-//! iterated to a fixed point ([`Sample::posterior`]).
+//! iterated to a fixed point ([`ObservationSample::posterior`]).
 
 use super::deformation_evidence::{LARGEST_RATIO, Observed, WIDTHS, observed};
-use super::displacement::Displacement;
+use super::displacement::FitContext;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::N_FEATURES;
 use homolog_registration::deformation::{
@@ -37,7 +37,7 @@ const N_BINS: usize = 60;
 const BIN: f64 = 0.02;
 
 /// A sample of the points of the source, and the observations there.
-pub(super) struct Sample {
+pub(super) struct ObservationSample {
     points: Vec<Point3<f64>>,
     /// Area of each, mm².
     areas: Vec<f64>,
@@ -62,11 +62,11 @@ pub(super) struct Sample {
 /// # Cost
 /// `O(N³ + N · points)` for `N` observed components, at most 600.
 pub(super) fn variances(
-    displacement: &Displacement<'_>,
+    displacement: &FitContext<'_>,
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
     points: &[Point3<f64>],
 ) -> Option<Vec<f64>> {
-    let sample = Sample::of(displacement, start, moved);
+    let sample = ObservationSample::of(displacement, start, moved);
     // Copies have no displacement, so no kernel is found.
     let Some((prior, noise_mm)) = sample.prior(displacement) else {
         return Some(vec![0.0; points.len()]);
@@ -100,12 +100,12 @@ impl Noise {
     }
 }
 
-impl Sample {
+impl ObservationSample {
     /// The observations where the vertices of the smooth source are displaced from `start` to `moved`.
-    pub(super) fn of(displacement: &Displacement<'_>, start: &[Point3<f64>], moved: &[Point3<f64>]) -> Sample {
+    pub(super) fn of(displacement: &FitContext<'_>, start: &[Point3<f64>], moved: &[Point3<f64>]) -> ObservationSample {
         let (source, target) = (&displacement.source, &displacement.target);
         let vertices = source.mesh.vertices();
-        let mut sample = Sample {
+        let mut sample = ObservationSample {
             points: Vec::new(),
             areas: Vec::new(),
             normals: Vec::new(),
@@ -137,7 +137,7 @@ impl Sample {
 
     /// The process under which the normal components of the displacement are most probable, and the noise along the
     /// normals under it, mm. `None` without a displacement, or if a number is not finite.
-    pub(super) fn prior(&self, displacement: &Displacement<'_>) -> Option<(SmoothPrior, f64)> {
+    pub(super) fn prior(&self, displacement: &FitContext<'_>) -> Option<(SmoothPrior, f64)> {
         let widths = WIDTHS.map(|width| width * displacement.diagonal_mm);
         let at = displacement.functions.coordinates(&self.points);
         let found = most_probable_kernel(&at, &self.normals, &self.shifts, &widths, LARGEST_RATIO)?;
@@ -280,10 +280,10 @@ mod tests {
     use crate::testing::numbers;
 
     /// Points of a square grid of spacing 1, without observations.
-    fn grid(side: usize) -> Sample {
+    fn grid(side: usize) -> ObservationSample {
         let points = (0..side * side).map(|k| Point3::new((k % side) as f64, (k / side) as f64, 0.0)).collect();
         let n = side * side;
-        Sample {
+        ObservationSample {
             points,
             areas: vec![1.0; n],
             normals: vec![Vector3::z(); n],
@@ -310,7 +310,7 @@ mod tests {
     }
 
     /// Heights over an open cap of a sphere of this radius, sampled about as densely as a structure.
-    fn cap(radius_mm: f64) -> (Sample, Vec<Point3<f64>>) {
+    fn cap(radius_mm: f64) -> (ObservationSample, Vec<Point3<f64>>) {
         let mut sample = grid(12);
         sample.points.iter_mut().for_each(|p| {
             let (x, y) = (p.x - 5.5, p.y - 5.5);

@@ -1,7 +1,7 @@
 //! The units of length of a match: the size of the surfaces and their sampling distance. Algorithms state no length in
 //! millimeters, so results do not depend on the unit or the size of a structure.
 
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 
 /// Least sampling distance, in roots of the area: a field of tens of functions is no more precise on finer sampling.
 const FINEST_SAMPLING: f64 = 0.022;
@@ -19,7 +19,7 @@ pub(crate) struct Lengths {
 }
 
 impl Lengths {
-    pub(crate) fn of(source: &Side, target: &Side) -> Self {
+    pub(crate) fn of(source: &SurfaceLevel, target: &SurfaceLevel) -> Self {
         // Exact under scaling by a power of two: the product scales by the square, and the root undoes this without
         // rounding.
         let root_mm = (source.root_mm * target.root_mm).sqrt();

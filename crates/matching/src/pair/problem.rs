@@ -5,7 +5,7 @@ use crate::surface::levels::Levels;
 use homolog_mrf::MrfModel;
 
 /// Result of the first stage.
-pub(crate) struct Coarse<'a> {
+pub(crate) struct MatchProblem<'a> {
     pub source: &'a Levels,
     pub target: &'a Levels,
     /// Both surfaces with all their vertices.
@@ -31,7 +31,7 @@ pub(crate) struct EnergyProblem<'a> {
     pub scene: Scene<'a>,
 }
 
-impl Coarse<'_> {
+impl MatchProblem<'_> {
     /// Whether the variables and labels of the energy are all vertices of the surfaces.
     pub(crate) fn is_direct(&self) -> bool {
         self.source.is_direct() && self.target.is_direct()

@@ -1,7 +1,7 @@
 //! The inputs of every step of a match: both surfaces on one level, the parameters, and the observer.
 
 use crate::error::MatchError;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use crate::surface::surface_index::SurfaceIndex;
 use homolog_contract::parameters::{DisplacementMode, MatchParameters, Refinement};
 use homolog_primitives::observe::{Observer, Phase};
@@ -28,8 +28,8 @@ pub(crate) fn even_sample(points: &[Point3<f64>]) -> impl Iterator<Item = &Point
 /// Two surfaces of a match, on one level.
 #[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
-    pub source: &'a Side,
-    pub target: &'a Side,
+    pub source: &'a SurfaceLevel,
+    pub target: &'a SurfaceLevel,
     /// Closest points of the target.
     pub closest: &'a SurfaceIndex,
     pub parameters: &'a MatchParameters,
@@ -42,8 +42,8 @@ pub(crate) struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     pub(crate) fn new(
-        source: &'a Side,
-        target: &'a Side,
+        source: &'a SurfaceLevel,
+        target: &'a SurfaceLevel,
         parameters: &'a MatchParameters,
         observer: &'a dyn Observer,
     ) -> Self {

@@ -3,7 +3,7 @@
 use super::lengths::Lengths;
 use super::role::Role;
 use crate::surface::moments::AreaMoments;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use homolog_contract::parameters::{Bending, Landmark};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 
@@ -35,7 +35,7 @@ pub(crate) struct Surfaces<'a> {
     /// How surfaces that a rigid motion does not align are matched.
     pub bending: Bending,
     /// Sites and form of the surfaces that the fields are fitted on. `None` if they are not used.
-    pub side_of: &'a (dyn Fn(Role) -> Option<&'a Side> + Sync),
+    pub side_of: &'a (dyn Fn(Role) -> Option<&'a SurfaceLevel> + Sync),
 }
 
 impl Surfaces<'_> {
@@ -50,7 +50,7 @@ impl Surfaces<'_> {
     pub(crate) fn swapped<'b>(
         &'b self,
         landmarks: &'b [Landmark],
-        side_of: &'b (dyn Fn(Role) -> Option<&'b Side> + Sync),
+        side_of: &'b (dyn Fn(Role) -> Option<&'b SurfaceLevel> + Sync),
     ) -> Surfaces<'b> {
         Surfaces {
             source: self.target,

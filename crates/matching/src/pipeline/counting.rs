@@ -20,7 +20,7 @@ const CURVE: [(f64, f64); 8] = [
 
 /// Reports the progress of a displacement, estimated from the number of checks for cancellation, one per step. The
 /// rounds of its energy trace follow those of inference.
-pub(crate) struct Counting<'a> {
+pub(crate) struct DisplacementProgress<'a> {
     pub observer: &'a dyn Observer,
     /// Progress of the match at the beginning of the displacement.
     pub done_before: f64,
@@ -41,7 +41,7 @@ fn time_share(n_checks: f64) -> f64 {
     within.unwrap_or_else(|| beyond(n_checks - last.0))
 }
 
-impl Observer for Counting<'_> {
+impl Observer for DisplacementProgress<'_> {
     fn inner(&self) -> Option<&dyn Observer> {
         Some(self.observer)
     }
@@ -88,8 +88,9 @@ mod tests {
     #[test]
     fn checks_within_a_step_stop_it_and_do_not_count_as_steps() {
         let said = Said::default();
-        let counting = Counting { observer: &said, done_before: 0.0, n_checks: Mutex::new(0), last_round: None };
-        let stack = super::super::unseen::Unseen(&counting);
+        let counting =
+            DisplacementProgress { observer: &said, done_before: 0.0, n_checks: Mutex::new(0), last_round: None };
+        let stack = super::super::unseen::CancellationOnly(&counting);
         for step in 1..=3 {
             for _ in 0..1000 {
                 assert!(checkpoint_within(&stack).is_ok());

@@ -1,8 +1,8 @@
 //! The third stage: an image on the target for every source vertex, through a smooth displacement field or rigidly.
 
-use super::counting::Counting;
+use super::counting::DisplacementProgress;
 use super::inferred::{aligned_shortly, inferred, labels_of};
-use crate::answer::displaced::{Displaced, Images};
+use crate::answer::displaced::{Images, VertexImages};
 use crate::answer::displacement::DisplacementAnswer;
 use crate::answer::of_field::answered;
 use crate::answer::reliability::reliability;
@@ -13,12 +13,12 @@ use crate::field::options::DisplacementOptions;
 use crate::field::route::displace;
 use crate::pair::lengths::Lengths;
 use crate::pair::part::part;
-use crate::pair::problem::Coarse;
+use crate::pair::problem::MatchProblem;
 use crate::pair::progress::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT, PROGRESS_BEFORE_ROUNDS};
 use crate::pair::role::Role;
 use crate::pair::surfaces::Surfaces;
 use crate::pair::vertex_map::VertexMap;
-use crate::poses::posed::{InferredPose, Posed};
+use crate::poses::posed::{InferredPose, PoseResult};
 use crate::starts::candidates::Starts;
 use crate::starts::search::sameness;
 use homolog_contract::parameters::{Bending, DisplacementMode, FieldStarts};
@@ -27,18 +27,18 @@ use homolog_primitives::observe::Phase;
 use homolog_registration::RigidTransform;
 use std::sync::Mutex;
 
-/// An image for every source vertex of `coarse`, from the pose of `posed`.
+/// An image for every source vertex of `prepare_problem`, from the pose of `find_pose`.
 ///
-/// With a displacement field the compared poses are the pose of `posed`, the pose of the landmarks, the poses that the
+/// With a displacement field the compared poses are the pose of `find_pose`, the pose of the landmarks, the poses that the
 /// labels of an energy support and, if these leave a doubt, the poses of a search of all orientations, including poses
 /// that mirror. The pose that fits best after the deformation is kept. If no field can be fitted, the images are those
-/// of the pose of `posed`, of registration alone if the pose was left to the field, or else of the first of the other
+/// of the pose of `find_pose`, of registration alone if the pose was left to the field, or else of the first of the other
 /// poses. A published method starts from the first of these poses.
 ///
 /// # Errors
-/// [`MatchError::NoRegistration`] if `posed` has no pose and there is no other one: without a displacement field, or if
+/// [`MatchError::NoRegistration`] if `find_pose` has no pose and there is no other one: without a displacement field, or if
 /// neither landmarks nor the search give one. [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
-pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displaced, MatchError> {
+pub(crate) fn find_images(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>) -> Result<VertexImages, MatchError> {
     let starts = match coarse.full.parameters.displacement.mode {
         DisplacementMode::None => Starts::of(own_pose(posed)),
         DisplacementMode::Smooth => {
@@ -46,8 +46,8 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
             if let Some(found) = by_field(coarse, posed, &mut starts)? {
                 return Ok(found);
             }
-            if matches!(posed, Posed::ByField) {
-                let registered = Posed::Registration(register(&coarse.full)?);
+            if matches!(posed, PoseResult::ByField) {
+                let registered = PoseResult::Registration(register(&coarse.full)?);
                 return rigid(coarse, &registered, &starts);
             }
             starts
@@ -61,8 +61,8 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
             }
             if let Some(pose) = starts.first(coarse) {
                 let poses = match posed {
-                    Posed::Registration(registered) => registered.poses.clone(),
-                    Posed::Inference { .. } | Posed::ByField => Vec::new(),
+                    PoseResult::Registration(registered) => registered.poses.clone(),
+                    PoseResult::Inference { .. } | PoseResult::ByField => Vec::new(),
                 };
                 if let Some(found) = by_method(coarse, &pose, poses)? {
                     coarse.full.observer.progress(PROGRESS_AT_END);
@@ -75,32 +75,32 @@ pub(crate) fn displaced(coarse: &Coarse<'_>, posed: &Posed<'_>) -> Result<Displa
     rigid(coarse, posed, &starts)
 }
 
-/// The pose of `posed`, and its origin.
-fn own_pose(posed: &Posed<'_>) -> Option<(PoseOrigin, RigidTransform)> {
+/// The pose of `find_pose`, and its origin.
+fn own_pose(posed: &PoseResult<'_>) -> Option<(PoseOrigin, RigidTransform)> {
     let origin = match posed {
-        Posed::Inference { .. } => PoseOrigin::Inference,
-        Posed::Registration(_) | Posed::ByField => PoseOrigin::Registration,
+        PoseResult::Inference { .. } => PoseOrigin::Inference,
+        PoseResult::Registration(_) | PoseResult::ByField => PoseOrigin::Registration,
     };
     posed.transform().map(|pose| (origin, pose))
 }
 
 /// The images of a rigid pose.
-fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Displaced, MatchError> {
+fn rigid(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>, starts: &Starts) -> Result<VertexImages, MatchError> {
     let scene = &coarse.full;
     let found = posed.transform().or_else(|| starts.first(coarse));
     let transform = found.ok_or(MatchError::NoRegistration { tolerance_mm: scene.tolerance_mm })?;
     let (map, poses) = match posed {
         // If all vertices are variables and labels of the energy, the labels are the answer.
-        Posed::Inference { inferred, .. }
+        PoseResult::Inference { inferred, .. }
             if coarse.is_direct() && matches!(inferred.pose, InferredPose::Supported { .. }) =>
         {
             (inferred.map.clone(), Vec::new())
         }
-        Posed::Inference { .. } | Posed::ByField => (VertexMap::nearest(scene, &transform), Vec::new()),
-        Posed::Registration(registered) => (VertexMap::nearest(scene, &transform), registered.poses.clone()),
+        PoseResult::Inference { .. } | PoseResult::ByField => (VertexMap::nearest(scene, &transform), Vec::new()),
+        PoseResult::Registration(registered) => (VertexMap::nearest(scene, &transform), registered.poses.clone()),
     };
     let VertexMap { labeling, confidence, spread_mm } = map;
-    Ok(Displaced {
+    Ok(VertexImages {
         transform,
         labeling,
         confidence,
@@ -115,14 +115,20 @@ fn rigid(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &Starts) -> Result<Disp
 
 /// The images of a smooth displacement field, from the start that fits best after the deformation. `None` if no field
 /// can be fitted.
-fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Result<Option<Displaced>, MatchError> {
+fn by_field(
+    coarse: &MatchProblem<'_>,
+    posed: &PoseResult<'_>,
+    starts: &mut Starts,
+) -> Result<Option<VertexImages>, MatchError> {
     let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
     let observer = scene.observer;
     let (done_before, last_round) = match posed {
-        Posed::Inference { inferred, .. } => (PROGRESS_BEFORE_DISPLACEMENT, inferred.rounds.last().map(|r| r.round)),
-        Posed::Registration(_) | Posed::ByField => (PROGRESS_BEFORE_ROUNDS, None),
+        PoseResult::Inference { inferred, .. } => {
+            (PROGRESS_BEFORE_DISPLACEMENT, inferred.rounds.last().map(|r| r.round))
+        }
+        PoseResult::Registration(_) | PoseResult::ByField => (PROGRESS_BEFORE_ROUNDS, None),
     };
-    let counting = Counting { observer, done_before, n_checks: Mutex::default(), last_round };
+    let counting = DisplacementProgress { observer, done_before, n_checks: Mutex::default(), last_round };
     let surfaces = Surfaces {
         source: source.middle.mesh(),
         target: target.middle.mesh(),
@@ -144,7 +150,7 @@ fn by_field(coarse: &Coarse<'_>, posed: &Posed<'_>, starts: &mut Starts) -> Resu
     let smoothed = surfaces.smoothed()?;
     // Inference runs only if the request asks for no other energy.
     let inferred = match (posed, scene.parameters.displacement.bending) {
-        (Posed::ByField, Bending::NearIsometry) => {
+        (PoseResult::ByField, Bending::NearIsometry) => {
             Some(inferred(coarse, &smoothed, surfaces.lengths.root_mm, &counting)?)
         }
         _ => None,

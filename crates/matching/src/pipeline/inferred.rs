@@ -1,10 +1,10 @@
 //! Inference in the pipeline: the labels of near isometries of a pair of surfaces, and the labels of an answer.
 
-use crate::energy::inference::{InferenceSettings, Inferred, infer};
-use crate::energy::model::Measured;
+use crate::energy::inference::{InferenceSettings, IsometryInference, infer};
+use crate::energy::model::SiteMeasurements;
 use crate::energy::settings::IsometrySettings;
 use crate::error::MatchError;
-use crate::pair::problem::Coarse;
+use crate::pair::problem::MatchProblem;
 use crate::pair::smooth_pair::SmoothPair;
 use crate::poses::copies::align_shortly;
 use homolog_mrf::Labeling;
@@ -15,23 +15,23 @@ use homolog_registration::{RigidTransform, SurfaceSide};
 /// diagonals.
 const TOLERANCE: f64 = 1e-4;
 
-/// Infers the labels of near isometries between the surfaces of `coarse`, prepared as `smoothed`, and traces their
+/// Infers the labels of near isometries between the surfaces of `prepare_problem`, prepared as `smoothed`, and traces their
 /// energy.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(crate) fn inferred(
-    coarse: &Coarse<'_>,
+    coarse: &MatchProblem<'_>,
     smoothed: &SmoothPair,
     root_mm: f64,
     observer: &dyn Observer,
-) -> Result<Inferred, MatchError> {
+) -> Result<IsometryInference, MatchError> {
     observer.phase(Phase::Inference);
     let (source, target) = (&coarse.source.middle, &coarse.target.middle);
     let settings = IsometrySettings::default();
     let (of_source, of_target) = rayon::join(
-        || Measured::of(&smoothed.0, source.sites(), &settings),
-        || Measured::of(&smoothed.1, target.sites(), &settings),
+        || SiteMeasurements::of(&smoothed.0, source.sites(), &settings),
+        || SiteMeasurements::of(&smoothed.1, target.sites(), &settings),
     );
     let found =
         infer(&of_source, &of_target, root_mm, coarse.full.parameters.seed, &InferenceSettings::default(), observer)?;
@@ -40,7 +40,7 @@ pub(crate) fn inferred(
 }
 
 /// Converts `labeling`, a target vertex for every source vertex, to a label for each variable.
-pub(crate) fn labels_of(coarse: &Coarse<'_>, labeling: &[u32]) -> Labeling {
+pub(crate) fn labels_of(coarse: &MatchProblem<'_>, labeling: &[u32]) -> Labeling {
     let (source, target) = (coarse.source, coarse.target);
     let (variables, labels) = (source.middle.sites(), target.middle.sites());
     let of_full = source.full_of_middle();
@@ -53,7 +53,7 @@ pub(crate) fn labels_of(coarse: &Coarse<'_>, labeling: &[u32]) -> Labeling {
 
 /// `pose` after a few steps of alignment to closest points in both directions, on lightly smoothed surfaces; `None` if
 /// cancelled.
-pub(crate) fn aligned_shortly(coarse: &Coarse<'_>, pose: &RigidTransform) -> Option<RigidTransform> {
+pub(crate) fn aligned_shortly(coarse: &MatchProblem<'_>, pose: &RigidTransform) -> Option<RigidTransform> {
     let [source, target] = [&coarse.source.middle, &coarse.target.middle].map(|side| {
         let light = side.light();
         SurfaceSide { points: light.mesh.vertices(), areas: &light.areas, closest: &light.closest }

@@ -5,17 +5,17 @@
 //! of the other. So both sizes are matched, and the answer with the higher likeness of shapes is taken. An open surface
 //! that is smaller than a closed one is taken for a part and keeps its size.
 
-use super::images::displaced;
-use super::pose::posed;
-use super::unseen::Unseen;
-use crate::answer::displaced::Displaced;
+use super::images::find_images;
+use super::pose::find_pose;
+use super::unseen::CancellationOnly;
+use crate::answer::displaced::VertexImages;
 use crate::answer::reliability;
 use crate::error::MatchError;
 use crate::pair::part::part;
 use crate::pair::role::Role;
 use crate::surface::levels::Levels;
 use crate::surface::moments::AreaMoments;
-use crate::thesis::coarse::coarse;
+use crate::thesis::coarse::prepare_problem;
 use homolog_contract::parameters::MatchParameters;
 use homolog_mesh::{Numbering, SurfaceMesh};
 use homolog_primitives::observe::Observer;
@@ -32,17 +32,17 @@ const MOST_OF_PARTS: f64 = 3.2;
 /// The better of `found` and the answer for `source` scaled to the area of `target`, if their sizes differ enough.
 ///
 /// # Errors
-/// As [`displaced()`].
+/// As [`find_images()`].
 ///
 /// # Cost
 /// Another match if the sizes differ, otherwise none.
-pub(crate) fn resized(
+pub(crate) fn with_rescaled_source(
     source: &Levels,
     target: &Levels,
     parameters: &MatchParameters,
-    found: Displaced,
+    found: VertexImages,
     observer: &dyn Observer,
-) -> Result<Displaced, MatchError> {
+) -> Result<VertexImages, MatchError> {
     let factor = target.full.root_mm / source.full.root_mm;
     let Some(as_they_are) = likeness(&found) else { return Ok(found) };
     let apart = |ratio: f64| ratio.max(1.0 / ratio);
@@ -62,10 +62,10 @@ pub(crate) fn resized(
     for landmark in &mut parameters.landmarks {
         landmark.source_mm = landmark.source_mm.map(|x| x * factor);
     }
-    let observer = Unseen(observer);
-    let coarse = coarse(&levels, target, &parameters, &observer)?;
-    let posed = posed(&coarse)?;
-    let of_equal_area = displaced(&coarse, &posed)?;
+    let observer = CancellationOnly(observer);
+    let coarse = prepare_problem(&levels, target, &parameters, &observer)?;
+    let posed = find_pose(&coarse)?;
+    let of_equal_area = find_images(&coarse, &posed)?;
     if likeness(&of_equal_area).is_none_or(|likeness| likeness <= as_they_are) {
         return Ok(found);
     }
@@ -84,7 +84,7 @@ fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
 }
 
 /// Likeness of the shapes according to an answer by a displacement field.
-fn likeness(answer: &Displaced) -> Option<f64> {
+fn likeness(answer: &VertexImages) -> Option<f64> {
     answer.reliability.as_ref().map(reliability::likeness)
 }
 

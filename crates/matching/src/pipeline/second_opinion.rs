@@ -5,15 +5,15 @@
 //! surfaces: if the two answers agree on the pose and on the corresponding points, the answer gets the verdict of the
 //! default method, otherwise it is unreliable.
 
-use super::images::displaced;
-use super::pose::posed;
-use super::resized::resized;
-use super::unseen::Unseen;
-use crate::answer::displaced::{Displaced, Images};
+use super::images::find_images;
+use super::pose::find_pose;
+use super::resized::with_rescaled_source;
+use super::unseen::CancellationOnly;
+use crate::answer::displaced::{Images, VertexImages};
 use crate::error::MatchError;
 use crate::starts::search::sameness;
 use crate::surface::levels::Levels;
-use crate::thesis::coarse::coarse;
+use crate::thesis::coarse::prepare_problem;
 use homolog_contract::parameters::{DisplacementMode, MatchParameters, Method, preset};
 use homolog_contract::result::{SecondOpinionDocument, UNRELIABLE_CONFIDENCE, UnreliableReason};
 use homolog_mesh::{Numbering, SurfaceMesh};
@@ -29,7 +29,7 @@ const LEAST_AGREEMENT: f64 = 0.5;
 /// field.
 ///
 /// # Errors
-/// As [`displaced()`], except that `answer` is returned without a verdict if the default method finds no registration.
+/// As [`find_images()`], except that `answer` is returned without a verdict if the default method finds no registration.
 ///
 /// # Cost
 /// A match by the default method, without the measures of its answer.
@@ -37,9 +37,9 @@ pub(crate) fn with_second_opinion(
     source: &Levels,
     target: &Levels,
     parameters: &MatchParameters,
-    mut answer: Displaced,
+    mut answer: VertexImages,
     observer: &dyn Observer,
-) -> Result<Displaced, MatchError> {
+) -> Result<VertexImages, MatchError> {
     if answer.reliability.is_some() || parameters.displacement.mode == DisplacementMode::Smooth {
         return Ok(answer);
     }
@@ -51,7 +51,7 @@ pub(crate) fn with_second_opinion(
     };
     let (from, onto) = rayon::join(|| levels(source), || levels(target));
     let (from, onto) = (from?, onto?);
-    let other = match by_default_method(&from, &onto, &parameters, &Unseen(observer)) {
+    let other = match by_default_method(&from, &onto, &parameters, &CancellationOnly(observer)) {
         Err(MatchError::NoRegistration { .. }) => return Ok(answer),
         other => other?,
     };
@@ -99,10 +99,10 @@ fn by_default_method(
     target: &Levels,
     parameters: &MatchParameters,
     observer: &dyn Observer,
-) -> Result<Displaced, MatchError> {
-    let coarse = coarse(source, target, parameters, observer)?;
-    let found = displaced(&coarse, &posed(&coarse)?)?;
-    resized(source, target, parameters, found, observer)
+) -> Result<VertexImages, MatchError> {
+    let coarse = prepare_problem(source, target, parameters, observer)?;
+    let found = find_images(&coarse, &find_pose(&coarse)?)?;
+    with_rescaled_source(source, target, parameters, found, observer)
 }
 
 /// Agreement of two maps, from the two images of each vertex: 1 minus the mean distance of the two images of a vertex
@@ -120,7 +120,7 @@ fn angle_deg(a: &RigidTransform, b: &RigidTransform) -> f64 {
     if a.is_reflection() == b.is_reflection() { a.angle_to(b).to_degrees() } else { 180.0 }
 }
 
-impl Displaced {
+impl VertexImages {
     /// The image of every source vertex on `target`, mm.
     fn points(&self, target: &SurfaceMesh) -> Vec<Point3<f64>> {
         match &self.images {

@@ -3,9 +3,9 @@
 use homolog_primitives::observe::Observer;
 
 /// Forwards only cancellation; phases, progress and trace are those of the outer match.
-pub(super) struct Unseen<'a>(pub &'a dyn Observer);
+pub(super) struct CancellationOnly<'a>(pub &'a dyn Observer);
 
-impl Observer for Unseen<'_> {
+impl Observer for CancellationOnly<'_> {
     fn is_cancelled(&self) -> bool {
         self.0.is_cancelled()
     }

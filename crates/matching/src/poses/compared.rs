@@ -53,12 +53,12 @@ pub(crate) struct ComparedPose {
     /// better.
     pub misfit: f64,
     /// How the start fared in later stages.
-    pub finer: Finer,
+    pub finer: ComparisonOutcome,
 }
 
 /// How a start fared in later stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Finer {
+pub(crate) enum ComparisonOutcome {
     /// Not followed, or the answer itself.
     Undecided,
     /// Ended at the pose of a better start.

@@ -7,9 +7,9 @@ use homolog_contract::result::{PoseDocument, RoundDocument, StopReason};
 use homolog_registration::RigidTransform;
 
 /// Result of the second stage.
-pub(crate) enum Posed<'c> {
+pub(crate) enum PoseResult<'c> {
     /// Rounds of inference on the level of `problem`.
-    Inference { problem: &'c EnergyProblem<'c>, inferred: Inferred },
+    Inference { problem: &'c EnergyProblem<'c>, inferred: RoundsResult },
     /// Registration alone, on all vertices.
     Registration(Registered),
     /// No transform yet: the displacement field searches poses itself.
@@ -17,7 +17,7 @@ pub(crate) enum Posed<'c> {
 }
 
 /// Result of the rounds.
-pub(crate) struct Inferred {
+pub(crate) struct RoundsResult {
     /// The labeling of the chosen round, or of the only round if it supports no transform.
     pub map: VertexMap,
     /// Why inference ended in the chosen round.
@@ -49,16 +49,16 @@ pub(crate) struct Registered {
     pub ambiguous_axes: bool,
 }
 
-impl Posed<'_> {
+impl PoseResult<'_> {
     /// The transform. `None` if the rounds found none or the field searches poses.
     pub(crate) fn transform(&self) -> Option<RigidTransform> {
         match self {
-            Posed::Inference { inferred, .. } => match inferred.pose {
+            PoseResult::Inference { inferred, .. } => match inferred.pose {
                 InferredPose::Supported { transform, .. } => Some(transform),
                 InferredPose::Unsupported => None,
             },
-            Posed::Registration(registered) => Some(registered.transform),
-            Posed::ByField => None,
+            PoseResult::Registration(registered) => Some(registered.transform),
+            PoseResult::ByField => None,
         }
     }
 }

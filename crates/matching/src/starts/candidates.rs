@@ -4,7 +4,7 @@ use super::landmarks::landmark_pose;
 use super::rotations::{rotations_of_best, symmetric_poses};
 use super::search::searched;
 use super::start_pose::StartPose;
-use crate::pair::problem::Coarse;
+use crate::pair::problem::MatchProblem;
 use homolog_contract::result::PoseOrigin;
 use homolog_registration::{RigidTransform, ScoredPose};
 
@@ -37,7 +37,7 @@ impl Starts {
     }
 
     /// The pose of an earlier stage and the pose of the landmarks.
-    pub(crate) fn known(coarse: &Coarse<'_>, own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
+    pub(crate) fn known(coarse: &MatchProblem<'_>, own: Option<(PoseOrigin, RigidTransform)>) -> Starts {
         let parameters = coarse.full.parameters;
         let mut starts = Starts::of(own);
         let of_landmarks = landmark_pose(&parameters.landmarks, parameters.registration.allow_reflection);
@@ -48,7 +48,7 @@ impl Starts {
     /// Adds the poses that the labels of an energy support, the best of them also after `aligned`, and rotations.
     pub(crate) fn add_inferred(
         &mut self,
-        coarse: &Coarse<'_>,
+        coarse: &MatchProblem<'_>,
         found: &[RigidTransform],
         aligned: impl Fn(&RigidTransform) -> Option<RigidTransform>,
     ) {
@@ -63,7 +63,7 @@ impl Starts {
     }
 
     /// Adds the poses of a search of all orientations, of either handedness, so that mirror images are detected.
-    pub(crate) fn add_searched(&mut self, coarse: &Coarse<'_>) {
+    pub(crate) fn add_searched(&mut self, coarse: &MatchProblem<'_>) {
         self.of_search = searched(&coarse.source.middle, &coarse.target.middle, true);
         let found: Vec<RigidTransform> = self.of_search.iter().map(|p| p.target_from_source).collect();
         self.add(coarse, PoseOrigin::Search, &found);
@@ -72,13 +72,13 @@ impl Starts {
 
     /// Adds poses related to the best of `found` by a possible symmetry of the surface, so that symmetries are
     /// detected.
-    fn add_symmetric(&mut self, coarse: &Coarse<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
+    fn add_symmetric(&mut self, coarse: &MatchProblem<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
         let poses = symmetric_poses(&coarse.source.middle, found);
         self.poses.extend(poses.into_iter().map(|pose| Start::new(origin, pose)));
     }
 
     /// Adds `found`, the best first, and small rotations of the best of each handedness.
-    fn add(&mut self, coarse: &Coarse<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
+    fn add(&mut self, coarse: &MatchProblem<'_>, origin: PoseOrigin, found: &[RigidTransform]) {
         let first = self.poses.len();
         self.poses.extend(found.iter().map(|pose| Start::new(origin, *pose)));
         let rotations = rotations_of_best(&coarse.source.middle, found);
@@ -87,7 +87,7 @@ impl Starts {
     }
 
     /// The most trusted pose that is allowed as an answer.
-    pub(crate) fn first(&self, coarse: &Coarse<'_>) -> Option<RigidTransform> {
+    pub(crate) fn first(&self, coarse: &MatchProblem<'_>) -> Option<RigidTransform> {
         let allow_reflection = coarse.full.parameters.registration.allow_reflection;
         self.poses.iter().map(|start| start.pose).find(|pose| allow_reflection || !pose.is_reflection())
     }

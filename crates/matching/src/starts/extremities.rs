@@ -8,7 +8,7 @@
 //! Source: Zhang et al., "Deformation-driven shape correspondence", Computer Graphics Forum 27(5), 2008 (a search over
 //! the assignments of extremities, pruned by distances along the surface).
 
-use crate::surface::sites::Places;
+use crate::surface::sites::SiteSubset;
 
 /// Radius along the surface, in roots of the area, within which an extremity has the largest root mean square distance
 /// from all places.
@@ -23,13 +23,13 @@ const ALONE: f64 = 3.0;
 const TRUNCATION: f64 = 4.5;
 
 /// Pairs of a place of the source and a place of the target.
-pub(crate) type Assignment = Vec<(usize, usize)>;
+pub(crate) type ExtremityPairs = Vec<(usize, usize)>;
 
 /// Assignments of extremities, the likeliest first; each assigns at least one. The result does not depend on the unit
 /// of length. `stretch` is the standard deviation of the relative change of a distance by a deformation.
 ///
 /// Cost: all partial assignments of [`MOST`] places, pruned where they cost more than the kept ones, and `O(places²)`.
-pub(crate) fn assignments(source: &Places<'_>, target: &Places<'_>, stretch: f64) -> Vec<Assignment> {
+pub(crate) fn assignments(source: &SiteSubset<'_>, target: &SiteSubset<'_>, stretch: f64) -> Vec<ExtremityPairs> {
     let (a, b) = (Extremities::of(source), Extremities::of(target));
     let costs = Costs {
         // The weight of an extremity does not depend on the number of others.
@@ -43,12 +43,17 @@ pub(crate) fn assignments(source: &Places<'_>, target: &Places<'_>, stretch: f64
     let pairs = |chosen: Vec<Option<usize>>| {
         a.places.iter().zip(chosen).filter_map(|(&i, k)| k.map(|k| (i, b.places[k]))).collect()
     };
-    search.kept.into_iter().map(|(_, chosen)| pairs(chosen)).filter(|pairs: &Assignment| !pairs.is_empty()).collect()
+    search
+        .kept
+        .into_iter()
+        .map(|(_, chosen)| pairs(chosen))
+        .filter(|pairs: &ExtremityPairs| !pairs.is_empty())
+        .collect()
 }
 
 /// Number of extremities, at most [`MOST`], whose root mean square distance from all places is at least `remoteness`.
 /// Cost `O(places²)`.
-pub(crate) fn number_of_limbs(places: &Places<'_>, remoteness: f64) -> usize {
+pub(crate) fn number_of_limbs(places: &SiteSubset<'_>, remoteness: f64) -> usize {
     Extremities::of(places).remoteness.iter().filter(|&&r| r >= remoteness).count()
 }
 
@@ -62,7 +67,7 @@ struct Extremities {
 }
 
 impl Extremities {
-    fn of(places: &Places<'_>) -> Self {
+    fn of(places: &SiteSubset<'_>) -> Self {
         let n = places.len();
         let mean_square = |i: usize| (0..n).map(|j| places.distance(i, j).powi(2)).sum::<f64>() / n as f64;
         let remoteness: Vec<f64> = (0..n).map(|i| mean_square(i).sqrt()).collect();
@@ -170,8 +175,8 @@ mod tests {
         (points.iter().flat_map(|p| points.iter().map(move |q| distance(p, q) as f32)).collect(), tips)
     }
 
-    fn places(distances: &[f32]) -> Places<'_> {
-        Places { distances, n_sites: distances.len().isqrt(), which: None }
+    fn places(distances: &[f32]) -> SiteSubset<'_> {
+        SiteSubset { distances, n_sites: distances.len().isqrt(), which: None }
     }
 
     #[test]
@@ -179,7 +184,7 @@ mod tests {
         let arms = [(0.0, 1.0), (80.0, 0.8), (170.0, 1.3), (250.0, 0.6)];
         let (source, tips) = star(&arms);
         let (target, others) = star(&[arms[2], arms[0], arms[3], arms[1]]);
-        let mut expected: Assignment =
+        let mut expected: ExtremityPairs =
             vec![(tips[0], others[1]), (tips[1], others[3]), (tips[2], others[0]), (tips[3], others[2])];
         let found = assignments(&places(&source), &places(&target), STRETCH);
         let mut first = found[0].clone();
@@ -204,12 +209,12 @@ mod tests {
     fn a_symmetry_gives_both_assignments_first() {
         let (source, tips) = star(&[(0.0, 1.3), (100.0, 0.9), (260.0, 0.9)]);
         let found = assignments(&places(&source), &places(&source), STRETCH);
-        let sorted = |mut pairs: Assignment| {
+        let sorted = |mut pairs: ExtremityPairs| {
             pairs.sort_unstable();
             pairs
         };
         let [kept, exchanged] = [[0, 1, 2], [0, 2, 1]].map(|to| (0..3).map(|k| (tips[k], tips[to[k]])).collect());
-        let first: Vec<Assignment> = found[..2].iter().cloned().map(sorted).collect();
+        let first: Vec<ExtremityPairs> = found[..2].iter().cloned().map(sorted).collect();
         assert!(first.contains(&kept) && first.contains(&exchanged), "{first:?}");
     }
 

@@ -2,19 +2,19 @@
 
 use crate::pair::part::part;
 use crate::pair::role::Role;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use homolog_geometry::curvature::vertex_areas;
 use homolog_registration::alignment::OrientedPoints;
 use homolog_registration::{PoseSearchOptions, RigidTransform, SAME_POSE_ANGLE, SamePose, ScoredPose, pose_search};
 
 /// The vertices of `side`, without features: pose search computes its own.
-fn oriented<'a>(side: &'a Side, areas: &'a [f64]) -> OrientedPoints<'a> {
+fn oriented<'a>(side: &'a SurfaceLevel, areas: &'a [f64]) -> OrientedPoints<'a> {
     OrientedPoints { points: side.mesh().vertices(), normals: &side.normals, areas, features: &[] }
 }
 
 /// Poses that align `source` with `target`, the best first; with `allow_reflection` of either handedness. A part is
 /// aligned with the whole, whichever of them is the source.
-pub(crate) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> Vec<ScoredPose> {
+pub(crate) fn searched(source: &SurfaceLevel, target: &SurfaceLevel, allow_reflection: bool) -> Vec<ScoredPose> {
     let part = part(source, target);
     let (from, to) = if part == Some(Role::Target) { (target, source) } else { (source, target) };
     let (from_areas, to_areas) = (vertex_areas(from.mesh()), vertex_areas(to.mesh()));
@@ -33,8 +33,11 @@ pub(crate) fn searched(source: &Side, target: &Side, allow_reflection: bool) -> 
 
 /// Returns whether two poses of `source` on `target` are the same within 30°; poses of a part also have to agree in
 /// place.
-pub(crate) fn sameness(source: &Side, target: &Side) -> impl Fn(&RigidTransform, &RigidTransform) -> bool {
-    let of_place = |side: &Side| SamePose::of_place(side.mesh().vertices(), &vertex_areas(side.mesh()));
+pub(crate) fn sameness(
+    source: &SurfaceLevel,
+    target: &SurfaceLevel,
+) -> impl Fn(&RigidTransform, &RigidTransform) -> bool {
+    let of_place = |side: &SurfaceLevel| SamePose::of_place(side.mesh().vertices(), &vertex_areas(side.mesh()));
     let part = part(source, target);
     let same = match part {
         None => SamePose::of_orientation(),

@@ -83,7 +83,7 @@ pub(crate) fn rotations(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::surface::side::Side;
+    use crate::surface::side::SurfaceLevel;
     use homolog_mesh::canonicalize;
     use homolog_mesh::shapes::ellipsoid;
     use nalgebra::Vector3;
@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn places_cover_ends_that_are_thinner_than_their_spacing() {
         let mesh = canonicalize(&with_a_tail()).mesh;
-        let side = Side::new(&mesh);
+        let side = SurfaceLevel::new(&mesh);
         let form = side.form().unwrap();
         assert_eq!(form.vertices.len(), N_PLACES);
         // The spacing is the root of the area per place.
@@ -120,7 +120,7 @@ mod tests {
     fn the_counted_memory_bounds_that_of_a_form() {
         for level in [3, 4, 5] {
             let mesh = ellipsoid(Vector3::new(20.0, 10.0, 9.0), level);
-            let side = Side::new(&mesh);
+            let side = SurfaceLevel::new(&mesh);
             let BendingInvariantForm { vertices, points, neighbors, place_of } = side.form().unwrap();
             let of_neighbors = neighbors.iter().map(|near| size_of_val(near.as_slice()) + size_of::<Vec<u32>>());
             let made = size_of_val(vertices.as_slice())

@@ -1,7 +1,7 @@
 //! The levels of a surface: all vertices, the vertices that a displacement field is fitted on, and those of the energy.
 
 use super::form::BendingInvariantForm;
-use super::side::Side;
+use super::side::SurfaceLevel;
 use super::sites::Sites;
 use homolog_mesh::{Numbering, SurfaceMesh};
 use homolog_primitives::observe::{Cancelled, Observer, Silent};
@@ -15,9 +15,9 @@ const MIDDLE_VERTICES: usize = 3000;
 /// The levels of one surface, with all values that do not depend on the other surface. Can be kept for further matches.
 pub struct Levels {
     /// All vertices, in canonical numbering.
-    pub(crate) full: Arc<Side>,
+    pub(crate) full: Arc<SurfaceLevel>,
     /// The level on which a displacement field is fitted.
-    pub(crate) middle: Arc<Side>,
+    pub(crate) middle: Arc<SurfaceLevel>,
     /// For every vertex of `full` the vertex of `middle` whose cell contains it.
     cells_of_middle: Vec<u32>,
     /// Number of vertices of the level on which an energy is minimized; `None`: all.
@@ -27,7 +27,7 @@ pub struct Levels {
 
 /// The level on which an energy is minimized.
 pub(crate) struct EnergyLevel {
-    pub side: Arc<Side>,
+    pub side: Arc<SurfaceLevel>,
     /// For every vertex of the full surface the vertex of this level whose cell contains it.
     pub cells: Vec<u32>,
 }
@@ -62,12 +62,12 @@ impl Levels {
         coarse_vertices: Option<u32>,
         observer: &dyn Observer,
     ) -> Result<Self, Cancelled> {
-        let full = Arc::new(Side::numbered(mesh, numbering));
+        let full = Arc::new(SurfaceLevel::numbered(mesh, numbering));
         let n = full.mesh().n_vertices();
         let mut cells: Vec<u32> = (0..n as u32).collect();
         // Without a coarse level the energy has all vertices as variables, so there is no middle level either.
         let wanted = coarse_vertices.is_some() && n > MIDDLE_ABOVE;
-        let coarser = if wanted { Side::coarser(&full, MIDDLE_VERTICES, false, observer)? } else { None };
+        let coarser = if wanted { SurfaceLevel::coarser(&full, MIDDLE_VERTICES, false, observer)? } else { None };
         let middle = match coarser {
             Some((side, of_full)) => {
                 cells = of_full;
@@ -118,7 +118,7 @@ impl Levels {
         }
         let n_sites = self.coarse_vertices.map(|n| n as usize);
         let coarser = match n_sites {
-            Some(n_sites) => Side::coarser(&self.middle, n_sites, true, observer)?,
+            Some(n_sites) => SurfaceLevel::coarser(&self.middle, n_sites, true, observer)?,
             None => None,
         };
         // Of two matches that make it at the same time, both make the same.

@@ -22,7 +22,7 @@ const OPEN: f64 = 0.2;
 
 /// One surface at one level. Immutable: the parts that are computed on first use depend only on this surface. They are
 /// computed on one thread, so that a thread that waits for them never waits for work that it has queued itself.
-pub(crate) struct Side {
+pub(crate) struct SurfaceLevel {
     /// In canonical numbering, with the map back to the numbering of the outcome.
     pub surface: CanonicalMesh,
     /// Unit normals of its vertices.
@@ -33,7 +33,7 @@ pub(crate) struct Side {
     pub is_open: bool,
     /// The finer surface on which features are measured instead, and its vertex at each vertex of this one: curvature
     /// on a coarse level would depend on its triangles.
-    measured_on: Option<(Arc<Side>, Vec<u32>)>,
+    measured_on: Option<(Arc<SurfaceLevel>, Vec<u32>)>,
     closest: OnceLock<SurfaceIndex>,
     light: OnceLock<LightSide>,
     form: OnceLock<Option<BendingInvariantForm>>,
@@ -49,9 +49,9 @@ pub(crate) struct LightSide {
     pub closest: SurfaceIndex,
 }
 
-impl Side {
+impl SurfaceLevel {
     pub(crate) fn new(mesh: &SurfaceMesh) -> Self {
-        Side::numbered(mesh, &Numbering::identity(mesh.n_vertices()))
+        SurfaceLevel::numbered(mesh, &Numbering::identity(mesh.n_vertices()))
     }
 
     /// The side of `mesh`, whose vertices the outcome names by their originals in `numbering`.
@@ -61,7 +61,7 @@ impl Side {
         let normals = surface.mesh.vertex_normals();
         let root_mm = surface.mesh.area().sqrt();
         let is_open = surface.mesh.rim_lengths().first().is_some_and(|longest| *longest > OPEN * root_mm);
-        Side {
+        SurfaceLevel {
             surface,
             normals,
             root_mm,
@@ -80,11 +80,11 @@ impl Side {
     /// # Errors
     /// [`Cancelled`].
     pub(crate) fn coarser(
-        finer: &Arc<Side>,
+        finer: &Arc<SurfaceLevel>,
         n_sites: usize,
         inherits: bool,
         observer: &dyn Observer,
-    ) -> Result<Option<(Side, Vec<u32>)>, Cancelled> {
+    ) -> Result<Option<(SurfaceLevel, Vec<u32>)>, Cancelled> {
         let Some(coarse) = coarsen_observed(finer.mesh(), n_sites, observer)? else { return Ok(None) };
         let CoarseSurface { mesh, sites, cells } = coarse;
         let numbering = finer.surface.numbering.select(&sites);
@@ -93,7 +93,7 @@ impl Side {
         let surface = CanonicalMesh { mesh, numbering };
         let (root_mm, is_open) = (finer.root_mm, finer.is_open);
         Ok(Some((
-            Side {
+            SurfaceLevel {
                 surface,
                 normals,
                 root_mm,
@@ -113,7 +113,7 @@ impl Side {
     }
 
     /// The finer surface on which features are measured, if any, and its vertex at each vertex of this one.
-    pub(crate) fn measured_on(&self) -> Option<(&Side, &[u32])> {
+    pub(crate) fn measured_on(&self) -> Option<(&SurfaceLevel, &[u32])> {
         self.measured_on.as_ref().map(|(finer, sites)| (finer.as_ref(), sites.as_slice()))
     }
 

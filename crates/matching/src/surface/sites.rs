@@ -31,7 +31,7 @@ pub(crate) struct Sites {
 
 /// Some sites of a surface, and the distances between them along the surface.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Places<'a> {
+pub(crate) struct SiteSubset<'a> {
     /// Distances between all sites, row by row.
     pub distances: &'a [f32],
     pub n_sites: usize,
@@ -39,7 +39,7 @@ pub(crate) struct Places<'a> {
     pub which: Option<&'a [u32]>,
 }
 
-impl Places<'_> {
+impl SiteSubset<'_> {
     pub(crate) fn len(&self) -> usize {
         self.which.map_or(self.n_sites, <[u32]>::len)
     }
@@ -90,13 +90,13 @@ impl Sites {
     }
 
     /// All sites as places, in the order of their numbers.
-    pub(crate) fn all(&self) -> Places<'_> {
-        Places { distances: &self.distances, n_sites: self.len(), which: None }
+    pub(crate) fn all(&self) -> SiteSubset<'_> {
+        SiteSubset { distances: &self.distances, n_sites: self.len(), which: None }
     }
 
     /// The sites of `which`, as places.
-    pub(crate) fn picked<'a>(&'a self, which: &'a [u32]) -> Places<'a> {
-        Places { distances: &self.distances, n_sites: self.len(), which: Some(which) }
+    pub(crate) fn picked<'a>(&'a self, which: &'a [u32]) -> SiteSubset<'a> {
+        SiteSubset { distances: &self.distances, n_sites: self.len(), which: Some(which) }
     }
 
     /// Positions of the sites on `mesh`, mm.

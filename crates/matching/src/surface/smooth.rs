@@ -37,7 +37,7 @@ pub(crate) struct SmoothSurface {
 }
 
 /// Every `k`-th vertex of a surface, with areas that sum to the area of the surface.
-pub(crate) struct Thinned {
+pub(crate) struct Subsample {
     /// Indices of the vertices.
     pub vertices: Vec<usize>,
     pub points: Vec<Point3<f64>>,
@@ -134,16 +134,16 @@ impl SmoothSurface {
     }
 
     /// All vertices as the target of assignments.
-    pub(crate) fn packed(&self) -> AssignmentTarget {
+    pub(crate) fn assignment_target(&self) -> AssignmentTarget {
         AssignmentTarget::new(&self.samples())
     }
 
     /// At most `n` vertices. Canonical numbering follows a space-filling curve, so every `k`-th vertex is an even
     /// sample.
-    pub(crate) fn thinned(&self, n: usize) -> Thinned {
+    pub(crate) fn thinned(&self, n: usize) -> Subsample {
         let step = self.mesh.n_vertices().div_ceil(n);
         let picked = || (0..self.mesh.n_vertices()).step_by(step);
-        Thinned {
+        Subsample {
             vertices: picked().collect(),
             points: picked().map(|i| self.mesh.vertices()[i]).collect(),
             normals: picked().map(|i| self.normals[i]).collect(),
@@ -154,13 +154,13 @@ impl SmoothSurface {
     }
 }
 
-impl Thinned {
+impl Subsample {
     pub(crate) fn samples(&self) -> OrientedPoints<'_> {
         OrientedPoints { points: &self.points, normals: &self.normals, areas: &self.areas, features: &self.features }
     }
 
     /// These vertices as the target of assignments.
-    pub(crate) fn packed(&self) -> AssignmentTarget {
+    pub(crate) fn assignment_target(&self) -> AssignmentTarget {
         AssignmentTarget::new(&self.samples())
     }
 }

@@ -8,7 +8,7 @@ use crate::pair::lengths::Lengths;
 use crate::pair::surfaces::Surfaces;
 use crate::poses::compared::Origin;
 use crate::starts::start_pose::StartPose;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use crate::testing::numbers;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{CanonicalMesh, ClosestPointIndex, FaceArity, SurfaceMesh, canonicalize};
@@ -45,7 +45,7 @@ fn displace_from(
         landmarks: &[],
         part: None,
         open: [source, target].iter().any(|mesh| mesh.boundary_vertices().is_some()),
-        lengths: Lengths::of(&Side::new(source), &Side::new(target)),
+        lengths: Lengths::of(&SurfaceLevel::new(source), &SurfaceLevel::new(target)),
         bending: homolog_contract::parameters::Bending::None,
         side_of: &|_| None,
     };

@@ -1,14 +1,14 @@
 //! Values passed between the stages of a match.
 
 use super::{bean, motion};
-use crate::answer::displaced::{Displaced, Images, labeling_of_energy};
-use crate::answer::report::measured;
-use crate::pair::problem::{Coarse, Problem};
-use crate::pipeline::images::displaced;
-use crate::pipeline::pose::posed;
-use crate::poses::posed::{InferredPose, Posed};
+use crate::answer::displaced::{Images, VertexImages, labeling_of_energy};
+use crate::answer::report::build_outcome;
+use crate::pair::problem::{MatchProblem, Problem};
+use crate::pipeline::images::find_images;
+use crate::pipeline::pose::find_pose;
+use crate::poses::posed::{InferredPose, PoseResult};
 use crate::surface::levels::Levels;
-use crate::thesis::coarse::coarse;
+use crate::thesis::coarse::prepare_problem;
 use crate::{MatchError, MatchOutcome, Observer, Phase, Silent, SurfaceMesh, TracePoint, match_surfaces};
 use homolog_contract::parameters::{MatchParameters, Method, resolve};
 use homolog_contract::result::{Feedback, PoseOrigin, RoundDocument, StopReason};
@@ -32,15 +32,15 @@ fn parameters(request: Value) -> MatchParameters {
 /// Calls `see` with the results of each stage for the pair.
 fn stages(
     request: Value,
-    see: impl FnOnce(&Coarse<'_>, &Posed<'_>, Result<&Displaced, MatchError>),
+    see: impl FnOnce(&MatchProblem<'_>, &PoseResult<'_>, Result<&VertexImages, MatchError>),
 ) -> Result<MatchOutcome, MatchError> {
     let ((source, target), p) = (pair(), parameters(request));
     let levels = [&source, &target].map(|mesh| Levels::new(mesh, p.inference.coarse_vertices));
-    let coarse = coarse(&levels[0], &levels[1], &p, &Silent)?;
-    let posed = posed(&coarse)?;
-    let displaced = displaced(&coarse, &posed);
+    let coarse = prepare_problem(&levels[0], &levels[1], &p, &Silent)?;
+    let posed = find_pose(&coarse)?;
+    let displaced = find_images(&coarse, &posed);
     see(&coarse, &posed, displaced.as_ref().map_err(Clone::clone));
-    displaced.map(|displaced| measured(&coarse, &posed, &displaced))
+    displaced.map(|displaced| build_outcome(&coarse, &posed, &displaced))
 }
 
 /// Rotation between `found` and the motion of the pair, degrees.
@@ -82,7 +82,7 @@ fn the_coarse_stage_builds_the_energy_on_the_level_that_is_asked_for() {
 #[test]
 fn the_rounds_choose_one_of_those_that_they_report() {
     let outcome = stages(json!({"clamping": {"mode": "soft"}}), |coarse, posed, _| {
-        let Posed::Inference { problem, inferred } = posed else { panic!("an energy was asked for") };
+        let PoseResult::Inference { problem, inferred } = posed else { panic!("an energy was asked for") };
         assert_eq!(inferred.map.labeling.len(), problem.model.variables.n_vertices());
         assert!(inferred.map.labeling.len() < coarse.full.source.mesh().n_vertices() + 1);
         assert_eq!(inferred.rounds.iter().filter(|r| r.chosen).count(), 1);
@@ -101,7 +101,7 @@ fn the_rounds_choose_one_of_those_that_they_report() {
 #[test]
 fn registration_alone_poses_all_vertices_and_the_next_stage_answers_them_with_vertices() {
     let outcome = stages(json!({"method": "rigid"}), |coarse, posed, displaced| {
-        let Posed::Registration(registered) = posed else { panic!("no energy was asked for") };
+        let PoseResult::Registration(registered) = posed else { panic!("no energy was asked for") };
         assert!(off(&registered.transform) < 3.0 && !registered.ambiguous_axes);
         let displaced = displaced.unwrap();
         assert!(matches!(displaced.images, Images::OnVertices));
@@ -116,7 +116,7 @@ fn registration_alone_poses_all_vertices_and_the_next_stage_answers_them_with_ve
 #[test]
 fn a_displacement_field_answers_all_vertices_whatever_level_the_pose_was_found_on() {
     stages(json!({"inference": {"coarse_vertices": 200}}), |coarse, posed, displaced| {
-        let Posed::Inference { problem, .. } = posed else { panic!("an energy was asked for") };
+        let PoseResult::Inference { problem, .. } = posed else { panic!("an energy was asked for") };
         let displaced = displaced.unwrap();
         let Images::Smooth(smooth) = &displaced.images else { panic!("a field was asked for") };
         let n = coarse.full.source.mesh().n_vertices();
@@ -150,7 +150,7 @@ fn without_a_field_a_coarse_labeling_is_answered_with_the_nearest_vertices() {
 #[test]
 fn a_labeling_that_supports_no_transform_is_a_reported_round_and_the_match_goes_on() {
     let outcome = stages(tiny_tolerance(json!({"inference": {"coarse_vertices": 200}})), |_, posed, displaced| {
-        let Posed::Inference { inferred, .. } = posed else { panic!("an energy was asked for") };
+        let PoseResult::Inference { inferred, .. } = posed else { panic!("an energy was asked for") };
         assert!(matches!(inferred.pose, InferredPose::Unsupported) && posed.transform().is_none());
         let displaced = displaced.unwrap();
         assert!(off(&displaced.transform) < 3.0, "{} degrees", off(&displaced.transform));

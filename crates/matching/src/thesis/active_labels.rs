@@ -1,9 +1,9 @@
 //! Belief propagation over active labels as a minimizer: each variable keeps only its best labels.
 
-use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
+use super::minimizer::{InferenceRun, Minimizer, MinimizerResult, OnStep};
 use super::propagation::{labeled, trace_point};
 use homolog_mrf::MrfModel;
-use homolog_mrf::inference::{ActiveModel, ActivePropagation, ActiveSets, BpOptions, Evidence, UnaryPotentials};
+use homolog_mrf::inference::{ActiveModel, ActivePropagation, ActiveSets, BpOptions, UnaryInput, UnaryPotentials};
 use homolog_primitives::observe::Cancelled;
 use rayon::prelude::*;
 
@@ -78,11 +78,11 @@ impl Minimizer for ActiveLabels<'_> {
         self.is_open = false;
     }
 
-    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<MinimizerResult, Cancelled> {
         let &InferenceRun { round, budget, positions, observer } = run;
         let sets = self.sets();
         let bias = self.bias.as_ref().map(|table| table as &dyn UnaryPotentials);
-        let evidence = Evidence { unary: self.model, bias };
+        let evidence = UnaryInput { unary: self.model, bias };
         let mut propagation = match self.propagation.take() {
             Some(mut propagation) => {
                 if !self.is_open {

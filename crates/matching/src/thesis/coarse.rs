@@ -3,7 +3,7 @@
 use super::bound::lower_bound;
 use super::prepare::build_model;
 use crate::error::MatchError;
-use crate::pair::problem::{Coarse, EnergyProblem, Problem};
+use crate::pair::problem::{EnergyProblem, MatchProblem, Problem};
 use crate::pair::progress::PROGRESS_BEFORE_ROUNDS;
 use crate::pair::scene::Scene;
 use crate::surface::levels::Levels;
@@ -11,15 +11,15 @@ use homolog_contract::parameters::{Algorithm, MatchParameters};
 use homolog_primitives::observe::{Observer, checkpoint};
 
 /// Builds the energy that `parameters` ask for, and its lower bound if they ask for that.
-pub(crate) fn coarse<'a>(
+pub(crate) fn prepare_problem<'a>(
     source: &'a Levels,
     target: &'a Levels,
     parameters: &'a MatchParameters,
     observer: &'a dyn Observer,
-) -> Result<Coarse<'a>, MatchError> {
+) -> Result<MatchProblem<'a>, MatchError> {
     if parameters.inference.algorithm == Algorithm::None {
         let full = Scene::new(&source.full, &target.full, parameters, observer);
-        return Ok(Coarse { source, target, full, problem: Problem::Registration });
+        return Ok(MatchProblem { source, target, full, problem: Problem::Registration });
     }
     // The scene builds its tree of closest points on one thread, which takes about as long as the model on fine
     // surfaces.
@@ -40,5 +40,5 @@ pub(crate) fn coarse<'a>(
     } else {
         Scene::new(&source.energy().side, &target.energy().side, parameters, observer)
     };
-    Ok(Coarse { source, target, full, problem: Problem::Energy(EnergyProblem { model, lower_bound, scene }) })
+    Ok(MatchProblem { source, target, full, problem: Problem::Energy(EnergyProblem { model, lower_bound, scene }) })
 }

@@ -2,7 +2,7 @@
 //! principal components.
 
 use crate::error::MatchError;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use homolog_contract::parameters::{CurvatureEstimator, FeatureKind, FeatureParameters, MatchParameters, Precisions};
 use homolog_geometry::curvature::{Curvatures, Estimator, ScaleSpace, curvatures};
 use homolog_geometry::descriptors::{
@@ -14,7 +14,7 @@ use homolog_primitives::observe::{Observer, checkpoint_within};
 use std::cell::OnceCell;
 
 /// The measurements of one element of the list `features` on one surface.
-enum Measured {
+enum FeatureValues {
     /// A list of values for each scale.
     Scalars(Vec<Vec<f64>>),
     /// Many channels.
@@ -28,15 +28,15 @@ enum Measured {
 /// is weighted by its variation, so that differences are those of the descriptors, and together they have the weight of
 /// that many scalar features.
 pub(crate) fn features(
-    source: &Side,
-    target: &Side,
+    source: &SurfaceLevel,
+    target: &SurfaceLevel,
     parameters: &MatchParameters,
     root_mm: f64,
     radius_mm: f64,
     observer: &dyn Observer,
 ) -> Result<Vec<Feature>, MatchError> {
     // On a coarse level features are measured on the finer surface, and read at the vertices of the coarse one.
-    let finer = |side| Side::measured_on(side).map_or((side, None), |(finer, sites)| (finer, Some(sites)));
+    let finer = |side| SurfaceLevel::measured_on(side).map_or((side, None), |(finer, sites)| (finer, Some(sites)));
     let ((source, source_sites), (target, target_sites)) = (finer(source), finer(target));
     let (of_source, of_target) = rayon::join(
         || measured(source, parameters, root_mm, radius_mm, observer),
@@ -54,10 +54,10 @@ pub(crate) fn features(
             groups.push(group);
         };
         match both {
-            (Measured::Scalars(one), Measured::Scalars(other)) => {
+            (FeatureValues::Scalars(one), FeatureValues::Scalars(other)) => {
                 one.into_iter().zip(other).for_each(|(one, other)| add(stated.weight, one, other));
             }
-            (Measured::Channels(one), Measured::Channels(other)) => {
+            (FeatureValues::Channels(one), FeatureValues::Channels(other)) => {
                 let signature =
                     matches!(stated.kind, FeatureKind::HeatKernelSignature | FeatureKind::WaveKernelSignature);
                 let (of_one, of_other) = (&source.light().areas, &target.light().areas);
@@ -82,12 +82,12 @@ pub(crate) fn features(
 
 /// The measurements of every element of `parameters.features` on a surface.
 fn measured(
-    side: &Side,
+    side: &SurfaceLevel,
     parameters: &MatchParameters,
     root_mm: f64,
     radius_mm: f64,
     observer: &dyn Observer,
-) -> Result<Vec<Measured>, MatchError> {
+) -> Result<Vec<FeatureValues>, MatchError> {
     let (flow, spectrum) = (OnceCell::new(), OnceCell::new());
     // Several features share a scale and an estimator; each such pair is measured once.
     let mut known: Vec<(f64, Estimator, Curvatures)> = Vec::new();
@@ -110,9 +110,9 @@ fn measured(
         for scale_mm in feature.scales(root_mm) {
             values.push(value(at_scale(scale_mm, estimator)?));
         }
-        Ok::<_, MatchError>(Measured::Scalars(values))
+        Ok::<_, MatchError>(FeatureValues::Scalars(values))
     };
-    let measure = |feature: &FeatureParameters| -> Result<Measured, MatchError> {
+    let measure = |feature: &FeatureParameters| -> Result<FeatureValues, MatchError> {
         let support_mm = feature.support * root_mm;
         // Voxel steps would change the normals.
         let light = || &side.light().mesh;
@@ -120,7 +120,7 @@ fn measured(
             Err(cancelled) => Err(MatchError::from(*cancelled)),
             Ok(found) => found.as_ref().ok_or(MatchError::Spectrum),
         };
-        Ok(Measured::Channels(match feature.kind {
+        Ok(FeatureValues::Channels(match feature.kind {
             FeatureKind::GaussianCurvature => return of_curvatures(feature, &|both| both.gaussian),
             FeatureKind::MeanCurvature => return of_curvatures(feature, &|both| both.mean),
             FeatureKind::ShapeIndex => return of_curvatures(feature, &|both| shape_index(&both)),

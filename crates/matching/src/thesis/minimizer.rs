@@ -7,7 +7,7 @@ use homolog_primitives::observe::{Cancelled, Observer, TracePoint};
 use nalgebra::Point3;
 
 /// A labeling, and the course of its minimization.
-pub(crate) struct Labeled {
+pub(crate) struct MinimizerResult {
     pub map: VertexMap,
     pub energy: Energy,
     pub iterations: u32,
@@ -39,5 +39,5 @@ pub(crate) trait Minimizer {
     fn set_bias(&mut self, add: &(dyn Fn(usize, &mut [f32]) + Sync));
 
     /// Minimizes the energy, and calls `on_step` with every point of the trace.
-    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled>;
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<MinimizerResult, Cancelled>;
 }

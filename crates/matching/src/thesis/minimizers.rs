@@ -1,7 +1,7 @@
 //! The minimizer that the parameters ask for.
 
 use super::active_labels::ActiveLabels;
-use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
+use super::minimizer::{InferenceRun, Minimizer, MinimizerResult, OnStep};
 use super::propagation::Propagation;
 use crate::pair::vertex_map::VertexMap;
 use homolog_contract::parameters::{Algorithm, CoolingSchedule, InferenceParameters, MatchParameters, Update};
@@ -109,7 +109,7 @@ impl Minimizer for Dual<'_> {
         self.biased = Some(biased);
     }
 
-    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<MinimizerResult, Cancelled> {
         let &InferenceRun { round, budget, observer, .. } = run;
         let minimized = self.biased.as_ref().unwrap_or(self.model);
         let mut last: Labeling = Vec::new();
@@ -131,7 +131,7 @@ impl Minimizer for Dual<'_> {
         })?;
         let DualOutcome { labeling, iterations, stop, .. } = outcome;
         let confidence = local_confidence(minimized, &labeling, observer)?;
-        Ok(Labeled {
+        Ok(MinimizerResult {
             energy: self.model.energy(&labeling),
             map: VertexMap { spread_mm: vec![0.0; labeling.len()], labeling, confidence },
             iterations,
@@ -177,7 +177,7 @@ impl Minimizer for Search<'_> {
         }
     }
 
-    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<MinimizerResult, Cancelled> {
         let &InferenceRun { round, budget, observer, .. } = run;
         let search = SearchRun {
             sweeps: budget,
@@ -202,7 +202,7 @@ impl Minimizer for Search<'_> {
         }?;
         let SearchOutcome { labeling, confidence, energy, sweeps, stop, .. } = outcome;
         self.last = Some(labeling.clone());
-        Ok(Labeled {
+        Ok(MinimizerResult {
             map: VertexMap { spread_mm: vec![0.0; labeling.len()], labeling, confidence },
             energy,
             iterations: sweeps,

@@ -4,7 +4,7 @@ use super::features::features;
 use crate::error::MatchError;
 use crate::pair::lengths::Lengths;
 use crate::surface::levels::Levels;
-use crate::surface::side::Side;
+use crate::surface::side::SurfaceLevel;
 use homolog_contract::parameters::{Landmark, MatchParameters, PairwiseDistance};
 use homolog_geometry::geodesic::{LabelDistance, label_neighborhoods};
 use homolog_mesh::SurfaceMesh;
@@ -17,7 +17,7 @@ const LANDMARK_CAP: f64 = 10.0;
 
 /// Adds `min(‖p'_x − q‖² / 2σ², cap)` to the unary potentials of the variable nearest to each landmark. `σ` is at least
 /// half an edge, because labels are no closer.
-fn add_landmarks(unary: &mut [f32], source: &Side, target: &Side, landmarks: &[Landmark]) {
+fn add_landmarks(unary: &mut [f32], source: &SurfaceLevel, target: &SurfaceLevel, landmarks: &[Landmark]) {
     let labels = target.mesh().vertices();
     let least_mm = if landmarks.is_empty() { 0.0 } else { 0.5 * target.mesh().mean_edge_length() };
     for landmark in landmarks {
@@ -38,8 +38,8 @@ const HARD_TRUNCATION: f64 = 60.0;
 
 /// The energy of matching `source` to `target`.
 pub(crate) fn build_model(
-    source: &Side,
-    target: &Side,
+    source: &SurfaceLevel,
+    target: &SurfaceLevel,
     parameters: &MatchParameters,
     observer: &dyn Observer,
 ) -> Result<MrfModel, MatchError> {
@@ -86,7 +86,7 @@ pub fn energy_model(
     target: &SurfaceMesh,
     parameters: &MatchParameters,
 ) -> Result<MrfModel, MatchError> {
-    build_model(&Side::new(source), &Side::new(target), parameters, &Silent)
+    build_model(&SurfaceLevel::new(source), &SurfaceLevel::new(target), parameters, &Silent)
 }
 
 /// The energy on the coarse levels of two surfaces, as [`crate::match_levels`] minimizes it in its first round.

@@ -1,6 +1,6 @@
 //! Belief propagation over all labels as a minimizer.
 
-use super::minimizer::{InferenceRun, Labeled, Minimizer, OnStep};
+use super::minimizer::{InferenceRun, Minimizer, MinimizerResult, OnStep};
 use crate::pair::vertex_map::VertexMap;
 use homolog_contract::result::{ConvergenceDocument, ConvergenceStatus, StopReason};
 use homolog_mrf::inference::{self, BeliefPropagation, BpIteration, BpOutcome, BpStop};
@@ -20,7 +20,7 @@ impl Minimizer for Propagation<'_> {
         self.bp.set_bias(add);
     }
 
-    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<Labeled, Cancelled> {
+    fn run(&mut self, run: &InferenceRun<'_>, on_step: OnStep<'_>) -> Result<MinimizerResult, Cancelled> {
         let &InferenceRun { round, budget, positions, observer } = run;
         let outcome = self.bp.run(budget, observer, |iteration| on_step(trace_point(round, iteration)))?;
         let spread_mm = self.bp.spreads(positions, observer)?;
@@ -42,14 +42,14 @@ pub(crate) fn trace_point(round: u32, iteration: &BpIteration) -> TracePoint {
 }
 
 /// The outcome of belief propagation in the form that all minimizers share.
-pub(crate) fn labeled(outcome: BpOutcome, spread_mm: Vec<f64>) -> Labeled {
+pub(crate) fn labeled(outcome: BpOutcome, spread_mm: Vec<f64>) -> MinimizerResult {
     let BpOutcome { labeling, confidence, energy, iterations, stop, convergence } = outcome;
     let (status, period) = match convergence.status {
         inference::ConvergenceStatus::Converged => (ConvergenceStatus::Converged, None),
         inference::ConvergenceStatus::Slow => (ConvergenceStatus::Slow, None),
         inference::ConvergenceStatus::Oscillating { period } => (ConvergenceStatus::Oscillating, Some(period)),
     };
-    Labeled {
+    MinimizerResult {
         map: VertexMap { labeling, confidence, spread_mm },
         energy,
         iterations,

@@ -2,13 +2,13 @@
 
 use super::clamping::{SoftClamp, SoftWeights, clamp_hard};
 use super::closer_pose::closer_pose;
-use super::minimizer::{InferenceRun, Labeled, Minimizer};
+use super::minimizer::{InferenceRun, Minimizer, MinimizerResult};
 use super::minimizers::minimizer;
 use crate::error::MatchError;
 use crate::pair::problem::EnergyProblem;
 use crate::pair::progress::{PROGRESS_AT_END, PROGRESS_BEFORE_DISPLACEMENT, PROGRESS_BEFORE_ROUNDS};
 use crate::pair::solver::solver;
-use crate::poses::posed::{Inferred, InferredPose};
+use crate::poses::posed::{InferredPose, RoundsResult};
 use homolog_contract::parameters::{ClampingMode, DisplacementMode, MatchParameters, MinimalEstimator};
 use homolog_contract::result::{Feedback, RoundDocument};
 use homolog_primitives::observe::{Phase, Quantity, TracePoint};
@@ -64,13 +64,13 @@ impl Plan {
 enum Round {
     Supported(SupportedRound),
     /// No rigid transform has three inliers in its labeling.
-    Unsupported(Labeled),
+    Unsupported(MinimizerResult),
 }
 
 /// A labeling and the registration that it supports.
 struct SupportedRound {
     number: u32,
-    labeled: Labeled,
+    labeled: MinimizerResult,
     registration: RansacReport,
     /// The transform of `registration`, refined.
     transform: RigidTransform,
@@ -100,7 +100,7 @@ struct Course<'m> {
 impl Rounds<'_> {
     /// Runs all rounds; the answer is the round of largest support. Feedback needs a transform: the first round without
     /// one is the last, and is chosen only if it is the only one.
-    pub(crate) fn run(&self) -> Result<Inferred, MatchError> {
+    pub(crate) fn run(&self) -> Result<RoundsResult, MatchError> {
         let p = self.problem.scene.parameters;
         let mode = p.clamping.mode;
         let n_rounds = if mode == ClampingMode::None { 0 } else { p.clamping.max_rounds };
@@ -112,7 +112,7 @@ impl Rounds<'_> {
         let mut best = match self.round(&mut course, p.inference.max_iterations, Feedback::None)? {
             Round::Supported(round) => round,
             Round::Unsupported(labeled) => {
-                return Ok(Inferred {
+                return Ok(RoundsResult {
                     map: labeled.map,
                     stop_reason: labeled.stop_reason,
                     rounds: course.documents,
@@ -152,7 +152,7 @@ impl Rounds<'_> {
         for document in &mut course.documents {
             document.chosen = document.round == best.number;
         }
-        Ok(Inferred {
+        Ok(RoundsResult {
             map: best.labeled.map,
             stop_reason: best.labeled.stop_reason,
             rounds: course.documents,

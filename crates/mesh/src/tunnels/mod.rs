@@ -15,7 +15,7 @@
 
 mod shortest_loop;
 
-use super::topology::topology_report;
+use super::elements::topology_report;
 use super::{FaceArity, MeshError, SurfaceMesh};
 use nalgebra::{Point3, Vector3};
 use shortest_loop::{Loop, shortest_loop};

@@ -107,7 +107,7 @@ proptest! {
 
     #[test]
     fn active_labels_stay_finite_and_their_sets_hold_labels(model in any_model(), options in any_options()) {
-        let evidence = Evidence::plain(&model);
+        let evidence = UnaryInput::plain(&model);
         let sets = ActiveSets { initial: 5, kept: 4, largest: 9, margin: 20.0, every: 2, best_of_neighbors: 2 };
         let candidates = sets.propose(model.n_variables(), model.n_labels(), evidence, &Silent).unwrap();
         let mut active = ActivePropagation::new(ActiveModel::of(&model, candidates).unwrap(), options);

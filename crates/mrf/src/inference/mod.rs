@@ -53,7 +53,7 @@ mod unary_factors;
 mod vector;
 
 pub use active::{
-    ActiveModel, ActiveOutcome, ActivePropagation, ActiveSets, CandidateError, Candidates, Evidence, UnaryPotentials,
+    ActiveModel, ActiveOutcome, ActivePropagation, ActiveSets, CandidateError, Candidates, UnaryInput, UnaryPotentials,
 };
 pub use belief_propagation::BeliefPropagation;
 pub use beliefs::belief_spread;

@@ -3,10 +3,10 @@
 use super::near;
 use super::split::split;
 use super::warnings::{self, UsedLabels};
-use super::{Advice, IntakeError, IntakeLimits, RepairNote, counted};
+use super::{Advice, IntakeError, RepairNote, counted};
 use homolog_contract::input::InputWarning;
 use homolog_contract::parameters::{InputParameters, Repair};
-use homolog_formats::{FileContent, MeshFile, ReadFile};
+use homolog_formats::MeshFile;
 use homolog_mesh::orientation::oriented;
 use homolog_mesh::repair::RepairedMesh;
 use homolog_mesh::simplify::{Simplified, simplify};
@@ -47,39 +47,6 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    pub(super) fn from_file(
-        file: &ReadFile,
-        parameters: &InputParameters,
-        limits: &IntakeLimits,
-    ) -> Result<Self, IntakeError> {
-        let mut candidate = match &file.content {
-            FileContent::Labels(volume) => {
-                super::label_surface::from_labels(volume, &file.label_names, parameters, limits)?
-            }
-            FileContent::Mesh(file) => {
-                // Checked before repairs, which cost more than reading.
-                let (found, limit) = (file.mesh.n_faces() as u64, limits.max_faces as u64);
-                if found > limit {
-                    return Err(IntakeError::TooLarge { what: "faces", found, limit });
-                }
-                from_mesh(file, parameters)?
-            }
-        };
-        if let Some(SurfaceFault::InsideOut { .. }) = candidate.fault {
-            candidate.mesh = repair::reversed(&candidate.mesh);
-            candidate.turned_outward = true;
-            candidate.fault = None;
-            candidate.repaired.volume_mm3 = candidate.repaired.volume_mm3.map(|v| -v);
-        }
-        candidate.triangulate(parameters);
-        candidate.simplify(parameters);
-        let (found, limit) = (candidate.mesh.n_vertices() as u64, limits.max_vertices as u64);
-        if found > limit {
-            return Err(IntakeError::TooLarge { what: "surface vertices", found, limit });
-        }
-        Ok(candidate)
-    }
-
     pub(super) fn new(
         mesh: SurfaceMesh,
         numbering: Numbering,
@@ -110,7 +77,7 @@ impl Candidate {
         }
     }
 
-    fn triangulate(&mut self, parameters: &InputParameters) {
+    pub(super) fn triangulate(&mut self, parameters: &InputParameters) {
         let allowed = parameters.repair.iter().flatten().any(|repair| *repair == Repair::Triangulate);
         if allowed && self.mesh.arity() == FaceArity::Quad {
             let detail = format!("{} split into triangles", counted(self.mesh.n_faces() as u64, "quad", "quads"));
@@ -121,7 +88,7 @@ impl Candidate {
     }
 
     /// Simplifies the surface to `input.max_vertices` vertices.
-    fn simplify(&mut self, parameters: &InputParameters) {
+    pub(super) fn simplify(&mut self, parameters: &InputParameters) {
         let Some(wanted) = parameters.max_vertices.map(|n| n as usize).filter(|&n| n < self.mesh.n_vertices()) else {
             return;
         };
@@ -138,40 +105,9 @@ impl Candidate {
         let mesh = std::mem::replace(&mut self.mesh, mesh);
         self.whole = Some((mesh, std::mem::replace(&mut self.numbering, numbering)));
     }
-
-    /// The refusal, if this surface is unsuitable, with the smallest set of repairs that would make it suitable.
-    pub(super) fn refusal(
-        &self,
-        file: &ReadFile,
-        parameters: &InputParameters,
-        limits: &IntakeLimits,
-    ) -> Option<IntakeError> {
-        let fault = self.fault.clone()?;
-        let sets: &[&[Repair]] = match file.content {
-            FileContent::Labels(_) => {
-                &[&[Repair::Fill], &[Repair::LargestComponent], &[Repair::LargestComponent, Repair::Fill]]
-            }
-            FileContent::Mesh(_) => &[&[Repair::Weld], &[Repair::Orient], &[Repair::Weld, Repair::Orient]],
-        };
-        let helps = |set: &&&[Repair]| {
-            let parameters = InputParameters { repair: Some(set.to_vec()), ..parameters.clone() };
-            Candidate::from_file(file, &parameters, limits).is_ok_and(|c| c.fault.is_none())
-        };
-        let opened = || {
-            let parameters = InputParameters { allow_boundary: true, ..parameters.clone() };
-            Candidate::from_file(file, &parameters, limits).is_ok_and(|c| c.fault.is_none())
-        };
-        let advice = match sets.iter().find(helps) {
-            Some(set) => Advice::Allow(set.to_vec()),
-            None if !parameters.allow_boundary && opened() => Advice::Open,
-            None => Advice::Edit,
-        };
-        let (others, topology) = (self.others.clone(), Box::new(self.repaired.clone()));
-        Some(IntakeError::UnsuitableSurface { fault, others, advice, topology })
-    }
 }
 
-fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate, IntakeError> {
+pub(super) fn from_mesh(file: &MeshFile, parameters: &InputParameters) -> Result<Candidate, IntakeError> {
     let allowed = parameters.repair.as_deref().unwrap_or(&[Repair::Weld, Repair::Orient]);
     let topology = topology_report(&file.mesh);
     let weld = allowed.contains(&Repair::Weld);

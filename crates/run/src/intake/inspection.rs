@@ -1,6 +1,5 @@
 //! Inspection of an input and its suitability for matching: reports where [`super::prepare_surface`] would refuse.
 
-use super::candidate::Candidate;
 use super::label_names::table_of;
 use super::{
     InputKind, Inspection, IntakeError, IntakeLimits, LabelCount, Refusal, VolumeInspection, read, sampling_report,
@@ -48,9 +47,9 @@ pub fn inspect(
         suitable: false,
         refusal: None,
     };
-    let refusal = match Candidate::from_file(&file, parameters, limits) {
+    let refusal = match super::made::from_file(&file, parameters, limits) {
         Ok(candidate) => {
-            let refusal = candidate.refusal(&file, parameters, limits);
+            let refusal = super::made::refusal(&candidate, &file, parameters, limits);
             inspection.topology = Some(candidate.topology);
             inspection.repaired_topology = Some(candidate.repaired);
             inspection.repairs = candidate.repairs;

@@ -10,6 +10,7 @@ mod error;
 mod inspection;
 mod label_names;
 mod label_surface;
+mod made;
 mod near;
 mod shown;
 mod split;
@@ -21,8 +22,7 @@ pub use inspection::{LabelShape, inspect, label_shapes};
 pub use label_names::{LabelTable, NearName, are_one_name, chosen_numbers, label_tables};
 pub use shown::{shown_surface, shown_volume};
 
-use crate::mirror::MirrorPlane;
-use crate::whole::Dropped;
+use crate::mirror_plane::MirrorPlane;
 use candidate::Candidate;
 use homolog_contract::input::{LabelCount, Refusal, RepairNote, SamplingReport, VolumeInspection};
 use homolog_contract::parameters::{InputParameters, Repair};
@@ -33,6 +33,14 @@ use homolog_mesh::{ClosestPointIndex, Numbering, SurfaceMesh};
 use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
 pub(crate) use warnings::UsedLabels;
+
+/// A vertex dropped by simplification, and its place on the simplified surface; all in the numbering of the upload.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Dropped {
+    pub(crate) vertex: u32,
+    pub(crate) triangle: [u32; 3],
+    pub(crate) barycentric: [f64; 3],
+}
 
 /// A surface that is ready to be matched: its faces agree in orientation and look outwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -157,8 +165,8 @@ pub fn prepare_surface(
     limits: &IntakeLimits,
 ) -> Result<PreparedSurface, IntakeError> {
     let file = read(bytes, file_name, parameters, limits)?;
-    let candidate = Candidate::from_file(&file, parameters, limits)?;
-    if let Some(refusal) = candidate.refusal(&file, parameters, limits) {
+    let candidate = made::from_file(&file, parameters, limits)?;
+    if let Some(refusal) = made::refusal(&candidate, &file, parameters, limits) {
         return Err(refusal);
     }
     let ReadFile { format, content, space, mut notes, mut warnings, .. } = file;

@@ -20,7 +20,7 @@ use homolog_registration::{ProcrustesOptions, procrustes};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use homolog_study::findings::find;
 use homolog_study::folder::Folder;
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::{Step, Study, Task, Template};
 use homolog_study::record::{Facts, Record};
@@ -33,7 +33,7 @@ use std::fs;
 use std::path::Path;
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().collect();

@@ -8,7 +8,7 @@ use homolog_run::intake::{IntakeLimits, prepare_surface};
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, find};
 use homolog_study::folder::{Folder, record_name};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Matched, Records, Step, Study};
 use homolog_study::record::Record;
@@ -20,7 +20,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 pub(crate) struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 /// Origin of the maps of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -33,7 +33,7 @@ pub use slide::Slidable;
 pub use step::JointFindings;
 pub(crate) use step::{SURFACES_BYTES, revised};
 
-use crate::align::{Alignment, align, onto, points, rms};
+use crate::align::{Alignment, align, fit_onto, points, rms};
 use crate::error::StudyError;
 use crate::settings::Size;
 use group::GroupModel;
@@ -222,7 +222,7 @@ impl Group<'_> {
 
     fn residual(&self, shape: &[[f32; 3]], model: &GroupModel, weights: &[f64]) -> Result<Residual, StudyError> {
         let own = points(shape);
-        let onto = onto(&own, &model.mean, weights, self.size == Size::Removed)
+        let onto = fit_onto(&own, &model.mean, weights, self.size == Size::Removed)
             .map_err(|error| StudyError::Alignment { id: "of a joint map".to_owned(), error })?;
         let shape: Vec<Point3<f64>> = own.iter().map(|p| onto.apply(p)).collect();
         let prediction = model.shape(&model.scores(&shape, weights));

@@ -6,10 +6,10 @@
 
 use super::{Group, JointRound, JointSettings, Slidable, Surfaces};
 use crate::error::StudyError;
-use crate::findings::{Place, SubjectFindings};
 use crate::folder::{Folder, json};
 use crate::plan::{Matched, Records, Study};
 use crate::record::{Facts, Record, folded};
+use crate::subjects::{SubjectFindings, SubjectOutcome};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use serde::{Deserialize, Serialize};
@@ -54,16 +54,16 @@ pub(crate) fn revised(
     let settings = JointSettings::default();
     let template = &matched.making.template;
     // In the order of keys, so that the order of the table does not matter.
-    let ordered = |is_wanted: &dyn Fn(Place) -> bool| {
+    let ordered = |is_wanted: &dyn Fn(SubjectOutcome) -> bool| {
         let mut of: Vec<usize> = (0..subjects.len()).filter(|&k| is_wanted(subjects[k].place)).collect();
         of.sort_by(|&a, &b| matched.keys[a].cmp(&matched.keys[b]).then(a.cmp(&b)));
         of
     };
-    let members = ordered(&|place| place == Place::Model);
+    let members = ordered(&|place| place == SubjectOutcome::Model);
     // Keys are hashes: the first of them are a random choice.
     let n_core = members.len().min(settings.most_in_model);
     let mut order = members;
-    order.extend(ordered(&|place| !matches!(place, Place::Model | Place::Failed)));
+    order.extend(ordered(&|place| !matches!(place, SubjectOutcome::Model | SubjectOutcome::Failed)));
     let mut hasher = blake3::Hasher::new();
     let how = format!("{:?} {settings:?}", study.settings.size);
     let keys = order[..n_core].iter().map(|&k| matched.keys[k].as_str());
@@ -139,7 +139,7 @@ fn facts(of_match: &Facts, group: &Group<'_>, row: usize, points: &[[f32; 3]]) -
         facts.residual_p95_mm = distances.get(n * 19 / 20).copied().unwrap_or(0.0);
     }
     let weights = crate::align::area_weights(group.template);
-    if let Ok(pose) = crate::align::onto(group.template.vertices(), &points, &weights, false) {
+    if let Ok(pose) = crate::align::fit_onto(group.template.vertices(), &points, &weights, false) {
         facts.folded = folded(group.template, &group.template.with_vertices(points)?, &pose.rotation);
     }
     Ok(facts)
@@ -176,7 +176,7 @@ impl Surfaces for Prepared<'_> {
             return Ok(None);
         };
         let mesh = if self.study.is_mirrored(k) {
-            crate::sides::mirrored(prepared.uploaded())?
+            crate::mirror::mirrored(prepared.uploaded())?
         } else {
             prepared.uploaded().clone()
         };

@@ -215,7 +215,10 @@ mod tests {
         let rows: Vec<usize> = (0..4).collect();
         assert_eq!(arrangements(&rows, &factor(&[0, 0, 1, 1])).round(), 3.0);
         let numbers = |of: [f64; 4]| arrangements(&rows, &Values::Numbers(of.map(Some).to_vec())).round();
-        assert_eq!([numbers([1.0, 2.0, 3.0, 4.0]), numbers([4.0, 1.0, 2.0, 8.0]), numbers([5.0; 4])], [12.0, 24.0, 1.0]);
+        assert_eq!(
+            [numbers([1.0, 2.0, 3.0, 4.0]), numbers([4.0, 1.0, 2.0, 8.0]), numbers([5.0; 4])],
+            [12.0, 24.0, 1.0]
+        );
         assert_eq!(arrangements(&rows[..3], &factor(&[0, 0, 0, 1])).round(), 1.0);
         assert!(
             arrangements(&(0..400).collect::<Vec<_>>(), &factor(&(0..400).map(|k| k % 2).collect::<Vec<_>>())) > 1e100

@@ -9,21 +9,36 @@ mod methods;
 pub(crate) mod plots;
 
 use crate::error::StudyError;
-use crate::findings::{Findings, Place, moved};
+use crate::findings::{Findings, shape_on_mean};
 use crate::folder::Folder;
 use crate::measures::measured;
-use crate::output::{MODE_DEVIATIONS, place_name, significant_share, triangles};
 use crate::plan::Study;
 use crate::quality::most_urgent_first;
 use crate::settings::Measure;
+use crate::subjects::SubjectOutcome;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use homolog_contract::result::UnreliableReason;
+use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::page::{Page, escaped};
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde_json::{Value, json};
 use std::fmt::Write;
+
+/// Standard deviations from the mean at which a mode is shown.
+pub(crate) const MODE_DEVIATIONS: f64 = 2.0;
+
+/// Share of the surface with a corrected p below 0.05.
+pub(crate) fn significant_share(p: &[f64], weights: &[f64]) -> f64 {
+    // An empty sum is a negative zero.
+    p.iter().zip(weights).filter(|(p, _)| **p < 0.05).map(|(_, weight)| weight).sum::<f64>() + 0.0
+}
+
+/// Faces and positions of a surface for the page.
+pub(crate) fn triangles(mesh: &SurfaceMesh) -> Vec<u8> {
+    mesh.triangles().into_iter().flatten().flat_map(u32::to_le_bytes).collect()
+}
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
@@ -80,13 +95,13 @@ pub(crate) fn page(
 }
 
 fn summary(found: &Findings) -> String {
-    let count = |place: Place| found.subjects.iter().filter(|subject| subject.place == place).count();
-    let mut parts = vec![format!("{} in the shape model", count(Place::Model))];
+    let count = |place: SubjectOutcome| found.subjects.iter().filter(|subject| subject.place == place).count();
+    let mut parts = vec![format!("{} in the shape model", count(SubjectOutcome::Model))];
     for (place, words) in [
-        (Place::Scored, "compared with it"),
-        (Place::Unreliable, "left out because their match is not reliable"),
-        (Place::Dropped, "left out by decision"),
-        (Place::Failed, "without a match"),
+        (SubjectOutcome::Scored, "compared with it"),
+        (SubjectOutcome::Unreliable, "left out because their match is not reliable"),
+        (SubjectOutcome::Dropped, "left out by decision"),
+        (SubjectOutcome::Failed, "without a match"),
     ] {
         if count(place) > 0 {
             parts.push(format!("{} {words}", count(place)));
@@ -133,7 +148,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
     for (place, &k) in order.iter().enumerate() {
         let subject = &found.subjects[k];
         let class = match (subject.place, subject.flags.is_empty()) {
-            (Place::Failed | Place::Unreliable, _) => "bad",
+            (SubjectOutcome::Failed | SubjectOutcome::Unreliable, _) => "bad",
             (_, false) => "open",
             _ => "good",
         };
@@ -149,13 +164,13 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
         }
         let number =
             |value: Option<f64>, digits: usize| value.map_or(String::new(), |value| format!("{value:.digits$}"));
-        let is_matched = subject.place != Place::Failed;
+        let is_matched = subject.place != SubjectOutcome::Failed;
         let _ = write!(
             rows,
             "<tr class=\"{class}{more}\"><td>{}</td><td>{picture}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
              <td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
             escaped(&study.cohort.subjects[k].id),
-            place_name(subject.place),
+            subject.place.name(),
             why.join("<br>"),
             number(is_matched.then_some(subject.facts.residual_mm), 3),
             number(is_matched.then_some(100.0 * subject.facts.folded), 2),
@@ -256,10 +271,10 @@ impl View {
             if pictures.len() == most {
                 break;
             }
-            if found.subjects[k].place == Place::Failed {
+            if found.subjects[k].place == SubjectOutcome::Failed {
                 continue;
             }
-            let own = moved(study, &found.matched, folder, &found.alignment, k)?;
+            let own = shape_on_mean(study, &found.matched, folder, &found.alignment, k)?;
             let surface = mean.with_vertices(own.clone())?;
             let along = measured(Measure::NormalDisplacement, mean, &surface, observer)?.unwrap_or_default();
             let title = format!("subject {}", study.cohort.subjects[k].id);

@@ -10,7 +10,7 @@ use homolog_mesh::shapes::ellipsoid;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::find;
 use homolog_study::folder::{Folder, record_name};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Step, Study};
@@ -22,7 +22,7 @@ use std::io;
 use std::path::Path;
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 /// Files of the template and of the subjects. Only joint maps read those of subjects: surfaces with the faces of the template.
 #[derive(Debug, Clone)]

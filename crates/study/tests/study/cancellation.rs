@@ -8,7 +8,7 @@ use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::find;
 use homolog_study::folder::Folder;
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Matched, Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice};
@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 /// Asks to stop at a time.
 struct Until(Instant);
 
-impl Watcher for Until {
+impl StudyObserver for Until {
     fn is_interrupted(&self) -> bool {
         Instant::now() >= self.0
     }

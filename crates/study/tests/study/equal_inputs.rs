@@ -5,7 +5,7 @@ use homolog_formats::ply::write_ply;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_study::cohort::Cohort;
 use homolog_study::folder::Folder;
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Settings, Size, TemplateChoice};
@@ -15,7 +15,7 @@ use std::collections::HashSet;
 /// Asks for nothing.
 struct Quiet;
 
-impl Watcher for Quiet {
+impl StudyObserver for Quiet {
     fn is_interrupted(&self) -> bool {
         false
     }

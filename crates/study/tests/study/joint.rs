@@ -6,13 +6,14 @@ use homolog_formats::ply::write_ply;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_study::cohort::Cohort;
-use homolog_study::findings::{Findings, Place, find};
+use homolog_study::findings::{Findings, find};
 use homolog_study::folder::{Folder, record_name};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Records, Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice};
+use homolog_study::subjects::SubjectOutcome;
 use nalgebra::{Point3, Rotation3, Vector3};
 use std::collections::BTreeMap;
 use std::io;
@@ -22,7 +23,7 @@ const AXES: [f64; 3] = [12.0, 6.0, 4.0];
 const SUBJECTS: usize = 16;
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 /// Repeatable numbers between -1 and 1.
 fn number(k: usize, which: usize) -> f64 {
@@ -238,7 +239,7 @@ fn a_subject_that_is_only_scored_is_revised_and_changes_no_other() {
     };
     let without = with(&all()[..SUBJECTS - 1], &[]);
     let scored = with(&all(), &[SUBJECTS - 1]);
-    assert_eq!(scored.found.subjects[SUBJECTS - 1].place, Place::Scored);
+    assert_eq!(scored.found.subjects[SUBJECTS - 1].place, SubjectOutcome::Scored);
     assert!((0..SUBJECTS - 1).all(|k| scored.map(k) == without.map(k)));
     let pairs = studied(&all(), &[SUBJECTS - 1], Size::Kept, Correspondence::Pairs, BTreeMap::new());
     let (before, after) = (pairs.error_mm(SUBJECTS - 1), scored.error_mm(SUBJECTS - 1));

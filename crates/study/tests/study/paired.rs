@@ -1,17 +1,17 @@
 //! Left against right within 60 persons with a known effect: what a study of asymmetry finds, and what its report says.
 
+use crate::population::{Population, WIDTH_MM, bump, template};
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, find};
 use homolog_study::folder::{Folder, record_name};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice};
-use crate::population::{Population, WIDTH_MM, bump, template};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
@@ -22,7 +22,7 @@ const PLACE: usize = 100;
 const DEPTH_MM: f64 = 0.15;
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 #[derive(Debug)]
 struct Files;

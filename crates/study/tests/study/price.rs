@@ -2,6 +2,7 @@
 //!
 //! Only ratios of one run are compared: all prices may be wrong by the speed of the machine.
 
+use crate::making::made;
 use homolog_contract::parameters::resolve;
 use homolog_formats::ply::write_ply;
 use homolog_mesh::SurfaceMesh;
@@ -10,7 +11,6 @@ use homolog_primitives::observe::Silent;
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{InputFile, run_match};
 use homolog_study::price::{Price, match_price, step_price};
-use crate::making::made;
 use nalgebra::{Point3, Rotation3, Vector3};
 use serde_json::{Value, json};
 

@@ -1,20 +1,20 @@
 //! A new subject against synthetic Gaussian groups: its p-values are uniform if it comes from the group's population, and
 //! a planted bump is found where it is, and nothing elsewhere.
 
+use crate::population::{DEVIATION_MM, Population, WIDTH_MM, bump, template};
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
 use homolog_study::folder::{Folder, record_name};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::place::Inputs;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::score::{NewSubject, SubjectScore, Within, add, score};
+use homolog_study::score::{NewSubject, Subgroup, SubjectScore, add, score};
 use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice};
 use nalgebra::Point3;
-use crate::population::{DEVIATION_MM, Population, WIDTH_MM, bump, template};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::io;
@@ -24,7 +24,7 @@ use std::path::Path;
 const PLACE: usize = 100;
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 #[derive(Debug)]
 struct Files;
@@ -56,7 +56,7 @@ fn new_subject() -> NewSubject {
 }
 
 /// The score of the last of these shapes against the others; the first half of the group is called `a`, the other `b`.
-fn scored(shapes: &[Vec<[f32; 3]>], within: Option<&Within>) -> Result<SubjectScore, StudyError> {
+fn scored(shapes: &[Vec<[f32; 3]>], within: Option<&Subgroup>) -> Result<SubjectScore, StudyError> {
     let n = shapes.len() - 1;
     let rows: String = (0..n).map(|k| format!("s{k},s{k}.ply,{},{k}\n", if 2 * k < n { "a" } else { "b" })).collect();
     let mut cohort = Cohort::from_csv(format!("id,file,group,age\n{rows}").as_bytes(), Path::new("")).unwrap();
@@ -141,7 +141,7 @@ fn a_bump_of_six_deviations_is_found_at_its_place_and_nothing_elsewhere() {
 #[test]
 fn the_group_may_be_a_level_of_a_covariate() {
     let shapes = drawn(12, 3, &|_| 0.0);
-    let within = |covariate: &str, level: &str| Within { covariate: covariate.into(), level: level.into() };
+    let within = |covariate: &str, level: &str| Subgroup { covariate: covariate.into(), level: level.into() };
     let part = scored(&shapes, Some(&within("group", "b"))).unwrap();
     assert_eq!(part.summary.members, 6);
     let mut others: Vec<_> = shapes[6..].to_vec();

@@ -10,7 +10,7 @@ use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, find};
 use homolog_study::folder::Folder;
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
@@ -21,7 +21,7 @@ const PEOPLE: usize = 4;
 const MIRROR: [[f64; 4]; 4] = [[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 /// The left structure of a person: tapered, bent and twisted, so that no mirror image fits. With `dent`, thinner on top.
 fn left(k: usize, dent: f64) -> SurfaceMesh {

@@ -6,13 +6,13 @@ use homolog_mesh::shapes::ellipsoid;
 use homolog_run::page::escaped;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
-use homolog_study::findings::{Findings, Place, find};
+use homolog_study::findings::{Findings, find};
 use homolog_study::folder::{Decision, Folder, Verdict};
-use homolog_study::matching::Watcher;
+use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
-use homolog_study::quality::Flag;
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::subjects::{Flag, SubjectOutcome};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -64,14 +64,14 @@ fn settings() -> Settings {
 }
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 /// Asks to stop after some matches.
 struct Impatient {
     left: AtomicUsize,
 }
 
-impl Watcher for Impatient {
+impl StudyObserver for Impatient {
     fn progress(&self, _: &str, done: usize, _: usize) {
         if done > 0 {
             let _ = self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| Some(left.saturating_sub(1)));
@@ -87,7 +87,7 @@ fn computed(
     out: &Path,
     threads: usize,
     decisions: &[Decision],
-    watcher: &dyn Watcher,
+    watcher: &dyn StudyObserver,
 ) -> Result<(Study, Findings), StudyError> {
     let text = std::fs::read(table).unwrap();
     let cohort = Cohort::from_csv(&text, table.parent().unwrap())?;
@@ -100,7 +100,7 @@ fn again(
     out: &Path,
     threads: usize,
     decisions: &[Decision],
-    watcher: &dyn Watcher,
+    watcher: &dyn StudyObserver,
 ) -> Result<(Study, Findings), StudyError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     pool.install(|| {
@@ -250,7 +250,7 @@ fn a_study_finds_the_effect_and_is_the_same_whatever_happens_to_it() {
     let before = records(&out);
     let dropped = [Decision { id: "s4".to_owned(), decision: Verdict::Dropped, reason: "motion".to_owned() }];
     let (_, found) = computed(&table_of_ten, &out, 2, &dropped, &Quiet).unwrap();
-    assert_eq!((found.members.len(), found.subjects[4].place), (9, Place::Dropped));
+    assert_eq!((found.members.len(), found.subjects[4].place), (9, SubjectOutcome::Dropped));
     assert!(found.subjects[4].distance.is_some(), "it is still compared with the model");
     assert_eq!(records(&out), before);
 
@@ -286,7 +286,7 @@ fn a_subject_without_a_surface_is_listed_first_and_a_scored_one_enters_no_model(
     let out = place.path().join("out");
     let (_, found) = again(cohort, settings, &out, 2, &[], &Quiet).unwrap();
     assert_eq!(found.members, [0, 1, 2, 3, 4]);
-    assert_eq!(found.subjects[5].place, Place::Scored);
+    assert_eq!(found.subjects[5].place, SubjectOutcome::Scored);
     assert!(found.subjects[5].unusual_p.is_some_and(|p| p > 0.0) && !found.subjects[5].scores.is_empty());
     assert_eq!(found.subjects[6].flags, [Flag::NoMatch]);
     // Two visits each of p0 and p1: a mixed model.

@@ -12,8 +12,8 @@ use homolog_mesh::shapes::ellipsoid;
 use homolog_study::average::{surface_distance, triangle_quality};
 use homolog_study::cohort::Cohort;
 use homolog_study::folder::Folder;
-use homolog_study::matching::Watcher;
-use homolog_study::plan::{Making, Study};
+use homolog_study::matching::StudyObserver;
+use homolog_study::plan::{Study, TemplateHistory};
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Settings, Size, TemplateChoice};
 use nalgebra::{Point3, Rotation3, Vector3};
 use std::path::Path;
@@ -25,7 +25,7 @@ const FROM_MEAN: f64 = 0.25;
 const QUALITY_LOST: [f64; 2] = [0.05, 0.1];
 
 struct Quiet;
-impl Watcher for Quiet {}
+impl StudyObserver for Quiet {}
 
 /// A tapered, bent and twisted body, so that no other pose fits, in degrees that are linear in `c`; on a grid of its own.
 fn body(c: [f64; 4], turn: f64) -> SurfaceMesh {
@@ -56,7 +56,7 @@ fn group() -> Vec<SurfaceMesh> {
     (0..8).map(one).collect()
 }
 
-fn made(folder: &Path, start: usize) -> Making {
+fn made(folder: &Path, start: usize) -> TemplateHistory {
     let mut table = "id,file\n".to_owned();
     for (k, mesh) in group().iter().enumerate() {
         std::fs::write(folder.join(format!("s{k}.ply")), write_ply(mesh)).unwrap();

@@ -36,6 +36,6 @@ mod tests;
 
 pub use candidates::{CandidateError, Candidates};
 pub use model::ActiveModel;
-pub use potentials::{Evidence, UnaryPotentials};
+pub use potentials::{UnaryInput, UnaryPotentials};
 pub use propagation::{ActiveOutcome, ActivePropagation};
 pub use sets::ActiveSets;

@@ -13,17 +13,17 @@ pub trait UnaryPotentials: Sync {
 
 /// Unary potentials, and a bias that is added to them but not part of the energy.
 #[derive(Clone, Copy)]
-pub struct Evidence<'e> {
+pub struct UnaryInput<'e> {
     /// `θ_i(x)`.
     pub unary: &'e dyn UnaryPotentials,
     /// Added to the potentials while messages are passed; excluded from every reported energy.
     pub bias: Option<&'e dyn UnaryPotentials>,
 }
 
-impl<'e> Evidence<'e> {
+impl<'e> UnaryInput<'e> {
     /// Potentials without a bias.
     pub fn plain(unary: &'e dyn UnaryPotentials) -> Self {
-        Evidence { unary, bias: None }
+        UnaryInput { unary, bias: None }
     }
 
     /// `θ_i` plus bias over all labels into `row`; `bias` is scratch of the same length.

@@ -9,7 +9,7 @@ use super::super::unary_factors::exponentiate;
 use super::kernel::{EightLanes, Scratch, max_uniform, max_weighted, sum_uniform, sum_weighted};
 use super::model::ActiveModel;
 use super::plan::{Group, LANES, Layout, NearLists, groups};
-use super::potentials::{Evidence, UnaryPotentials};
+use super::potentials::{UnaryInput, UnaryPotentials};
 use super::sets::ActiveSets;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use nalgebra::Point3;
@@ -55,7 +55,7 @@ pub struct ActivePropagation<'a> {
 }
 
 /// Control of the revisions during a run.
-type Revising<'r> = Option<(&'r ActiveSets, Evidence<'r>)>;
+type Revising<'r> = Option<(&'r ActiveSets, UnaryInput<'r>)>;
 
 impl<'a> ActivePropagation<'a> {
     /// Flat messages over the candidates of `model`. Allocates the memory of an iteration.
@@ -145,7 +145,7 @@ impl<'a> ActivePropagation<'a> {
         &mut self,
         max_iterations: u32,
         sets: &ActiveSets,
-        evidence: Evidence<'_>,
+        evidence: UnaryInput<'_>,
         observer: &dyn Observer,
         on_iteration: impl FnMut(&BpIteration),
     ) -> Result<ActiveOutcome, Cancelled> {

@@ -9,7 +9,7 @@ use super::super::pair_table::pair_factor;
 use super::candidates::{Candidates, MAX_CANDIDATES};
 use super::kernel::{EightLanes, Scratch};
 use super::plan::{Group, LANES, Layout, groups};
-use super::potentials::Evidence;
+use super::potentials::UnaryInput;
 use super::propagation::{ActivePropagation, BATCH_GROUPS};
 use super::sets::{ActiveSets, keep_first, with_potentials};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
@@ -39,7 +39,7 @@ impl ActivePropagation<'_> {
     pub(super) fn revise(
         &mut self,
         sets: &ActiveSets,
-        evidence: Evidence<'_>,
+        evidence: UnaryInput<'_>,
         observer: &dyn Observer,
     ) -> Result<bool, Cancelled> {
         checkpoint(observer)?;
@@ -60,7 +60,7 @@ impl ActivePropagation<'_> {
     pub fn reopen(
         &mut self,
         sets: &ActiveSets,
-        evidence: Evidence<'_>,
+        evidence: UnaryInput<'_>,
         observer: &dyn Observer,
     ) -> Result<(), Cancelled> {
         let limit = self.largest_set(usize::MAX);
@@ -131,7 +131,7 @@ impl ActivePropagation<'_> {
     pub(super) fn adopt(
         &mut self,
         rows: Vec<Vec<u32>>,
-        evidence: Evidence<'_>,
+        evidence: UnaryInput<'_>,
         observer: &dyn Observer,
     ) -> Result<bool, Cancelled> {
         if rows.iter().enumerate().all(|(i, row)| row == self.model.candidates.labels(i)) {

@@ -34,7 +34,7 @@ proptest! {
         rows[at] = (0..31).collect();
         let before: Vec<Vec<f32>> = active.incoming(at).iter().map(|m| m[..rows_len(&candidates, at)].to_vec()).collect();
         let reference = slow_next(&active, at);
-        prop_assert!(active.adopt(rows, Evidence::plain(&model), &Silent).unwrap());
+        prop_assert!(active.adopt(rows, UnaryInput::plain(&model), &Silent).unwrap());
         for ((message, before), reference) in active.incoming(at).iter().zip(&before).zip(&reference) {
             // Previous values are kept up to a factor, because the maximum may be at an added label.
             let known = candidates.labels(at).iter().map(|&x| message[x as usize]);
@@ -94,7 +94,7 @@ fn strip(n: u32) -> MrfModel {
 const SETS: ActiveSets = ActiveSets { initial: 12, kept: 10, largest: 30, margin: 6.0, every: 4, best_of_neighbors: 2 };
 
 fn revising(model: &MrfModel, product: Product) -> (ActiveOutcome, Vec<Vec<f32>>) {
-    let evidence = Evidence::plain(model);
+    let evidence = UnaryInput::plain(model);
     let candidates = SETS.propose(model.n_variables(), model.n_labels(), evidence, &Silent).unwrap();
     let mut active = ActivePropagation::new(ActiveModel::of(model, candidates).unwrap(), options(product, 0.5, 1e-5));
     let outcome = active.run_revising(20, &SETS, evidence, &Silent, |_| ()).unwrap();
@@ -121,7 +121,7 @@ fn one_thread_and_many_give_the_same_bits() {
 fn sets_that_are_revised_to_all_labels_end_at_the_dense_answer() {
     let model = strip(60);
     let sets = ActiveSets { initial: 60, kept: 60, largest: 60, margin: f32::INFINITY, every: 3, best_of_neighbors: 1 };
-    let evidence = Evidence::plain(&model);
+    let evidence = UnaryInput::plain(&model);
     let candidates = sets.propose(60, 60, evidence, &Silent).unwrap();
     let options = options(Product::Max, 0.5, 1e-5);
     let mut active = ActivePropagation::new(ActiveModel::of(&model, candidates).unwrap(), options);
@@ -155,7 +155,7 @@ fn neighbors_bring_back_a_label_that_was_left_out() {
     let sets = ActiveSets { initial: 3, kept: 3, largest: 8, margin: 5.0, every: 3, best_of_neighbors: 1 };
     let closed = active.run(10, &Silent, |_| ()).unwrap();
     assert_eq!(closed.labeling[10], 3);
-    let open = active.run_revising(12, &sets, Evidence::plain(&model), &Silent, |_| ()).unwrap();
+    let open = active.run_revising(12, &sets, UnaryInput::plain(&model), &Silent, |_| ()).unwrap();
     assert_eq!(open.propagation.labeling, (0..n as u32).collect::<Vec<_>>());
     assert!(open.mean_active < 8.0 && active.model().candidates().n_candidates() <= 8 * n);
 }
@@ -178,8 +178,8 @@ fn feedback_opens_the_sets_where_it_points_and_stays_out_of_the_energy() {
     let n = 60;
     let model = strip(n as u32);
     let bias = Table((0..n * n).map(|at: usize| 0.5 * (at / n).abs_diff(at % n) as f32).collect(), n);
-    let evidence = Evidence { unary: &model, bias: Some(&bias) };
-    let candidates = SETS.propose(n, n, Evidence::plain(&model), &Silent).unwrap();
+    let evidence = UnaryInput { unary: &model, bias: Some(&bias) };
+    let candidates = SETS.propose(n, n, UnaryInput::plain(&model), &Silent).unwrap();
     let mut active =
         ActivePropagation::new(ActiveModel::of(&model, candidates).unwrap(), options(Product::Max, 0.5, 1e-5));
     active.run(5, &Silent, |_| ()).unwrap();
@@ -203,13 +203,13 @@ fn a_cancelled_run_leaves_the_messages_as_they_were() {
         }
     }
     let model = strip(100);
-    let candidates = SETS.propose(100, 100, Evidence::plain(&model), &Silent).unwrap();
+    let candidates = SETS.propose(100, 100, UnaryInput::plain(&model), &Silent).unwrap();
     let mut active =
         ActivePropagation::new(ActiveModel::of(&model, candidates).unwrap(), options(Product::Max, 0.5, 1e-5));
     active.run(3, &Silent, |_| ()).unwrap();
     let before = (active.messages.clone(), active.model.clone());
     assert!(active.run(3, &Stop, |_| ()).is_err());
-    assert!(active.revise(&SETS, Evidence::plain(&model), &Stop).is_err());
+    assert!(active.revise(&SETS, UnaryInput::plain(&model), &Stop).is_err());
     assert_eq!(before, (active.messages.clone(), active.model.clone()));
     active.run(3, &Silent, |_| ()).unwrap();
 }

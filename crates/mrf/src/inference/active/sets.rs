@@ -1,7 +1,7 @@
 //! Size, initial choice and revision of candidate sets.
 
 use super::candidates::Candidates;
-use super::potentials::Evidence;
+use super::potentials::UnaryInput;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
 
@@ -38,7 +38,7 @@ impl ActiveSets {
         &self,
         n_variables: usize,
         n_labels: usize,
-        evidence: Evidence<'_>,
+        evidence: UnaryInput<'_>,
         observer: &dyn Observer,
     ) -> Result<Candidates, Cancelled> {
         let rows = self.lowest(n_variables, n_labels, evidence, observer)?;
@@ -52,7 +52,7 @@ impl ActiveSets {
         &self,
         n_variables: usize,
         n_labels: usize,
-        evidence: Evidence<'_>,
+        evidence: UnaryInput<'_>,
         observer: &dyn Observer,
     ) -> Result<Vec<Vec<u32>>, Cancelled> {
         let mut rows: Vec<Vec<u32>> = Vec::with_capacity(n_variables);
@@ -90,7 +90,7 @@ pub(super) fn keep_first<T>(values: &mut Vec<T>, count: usize, compare: impl Fn(
 }
 
 /// A row of candidates.
-pub(super) fn with_potentials(evidence: Evidence<'_>, variable: usize, labels: Vec<u32>) -> (Vec<u32>, Vec<f32>) {
+pub(super) fn with_potentials(evidence: UnaryInput<'_>, variable: usize, labels: Vec<u32>) -> (Vec<u32>, Vec<f32>) {
     let mut unary = vec![0.0; labels.len()];
     evidence.unary.at(variable, &labels, &mut unary);
     (labels, unary)

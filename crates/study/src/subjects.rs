@@ -1,0 +1,92 @@
+//! Findings for each subject.
+
+use crate::folder::Decision;
+use crate::record::Facts;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Outcome of a subject.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SubjectOutcome {
+    /// Part of the model.
+    Model,
+    /// Compared with the model.
+    Scored,
+    /// Left out by a decision.
+    Dropped,
+    /// Left out because its match is not reliable, and no decision keeps it.
+    Unreliable,
+    /// There is no match.
+    Failed,
+}
+
+impl SubjectOutcome {
+    /// The name used in tables and JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            SubjectOutcome::Model => "model",
+            SubjectOutcome::Scored => "scored",
+            SubjectOutcome::Dropped => "dropped",
+            SubjectOutcome::Unreliable => "unreliable",
+            SubjectOutcome::Failed => "failed",
+        }
+    }
+}
+
+/// A reason to look at a subject.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Flag {
+    /// It has no match.
+    NoMatch,
+    /// Its match is not reliable.
+    UnreliableMatch,
+    /// The bent template lies farther from its surface than from the surfaces of the others.
+    UnusualResidual,
+    /// The map to it turns over more triangles than the maps to the others.
+    UnusualFolds,
+    /// Its shape is unusual relative to a model of the others.
+    UnusualShape,
+    /// Its size is unusual.
+    UnusualSize,
+}
+
+impl Flag {
+    /// Title for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Flag::NoMatch => "no match",
+            Flag::UnreliableMatch => "match not reliable",
+            Flag::UnusualResidual => "unusual residual",
+            Flag::UnusualFolds => "unusual folds",
+            Flag::UnusualShape => "unusual shape",
+            Flag::UnusualSize => "unusual size",
+        }
+    }
+}
+
+/// Findings for one subject.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SubjectFindings {
+    /// Outcome.
+    pub place: SubjectOutcome,
+    /// Facts on its surface and its match.
+    pub facts: Facts,
+    /// Decision, if any.
+    pub decision: Option<Decision>,
+    /// Centroid size of its shape, mm.
+    pub size_mm: f64,
+    /// Scores, mm.
+    pub scores: Vec<f64>,
+    /// Squared Mahalanobis distance from the model of the other subjects.
+    pub distance: Option<f64>,
+    /// The p-value of a shape as unusual, from distances of left-out subjects.
+    pub unusual_p: Option<f64>,
+    /// Reasons to look at the subject.
+    pub flags: Vec<Flag>,
+    /// Urgency of looking at the subject; larger is more urgent.
+    pub urgency: f64,
+    /// Area of each label on the surface, mm², and its volume, mm³, if the input was a volume.
+    pub labels: BTreeMap<u32, (f64, Option<f64>)>,
+}

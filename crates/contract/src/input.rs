@@ -166,13 +166,13 @@ pub struct InputReport {
     /// Whether all faces were oriented inwards (the enclosed volume before repairs is negative) and were reversed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
     pub turned_outward: bool,
-    /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
+    /// Changes of coordinates or values on reading, and a name that promises another format: a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub notes: Vec<String>,
-    /// What the file contradicts itself in, and what was dropped, joined, filled or smoothed away on the way to the surface.
+    /// Contradictions within the file, and everything dropped, joined, filled or smoothed away on the way to the surface.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub warnings: Vec<InputWarning>,
-    /// What the size of the voxels leaves unknown; absent for meshes.
+    /// Uncertainty due to the size of the voxels; absent for meshes.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sampling: Option<SamplingReport>,
 }
@@ -188,7 +188,7 @@ pub struct RepairNote {
     pub detail: String,
 }
 
-/// What a file contradicts itself in, or what was dropped, joined, filled or smoothed away on the way to its surface.
+/// A contradiction within a file, or something dropped, joined, filled or smoothed away on the way to its surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -200,7 +200,7 @@ pub struct InputWarning {
     pub detail: String,
 }
 
-/// What the size of voxels leaves unknown about the surface that was made of them: standard deviations.
+/// Uncertainty of a surface due to the size of its voxels: standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -237,13 +237,13 @@ pub struct Inspection {
     pub repairs: Vec<RepairNote>,
     /// Whether all faces are oriented inwards and would be reversed.
     pub turned_outward: bool,
-    /// What was done to coordinates or values on reading, and whether the name promises another format: a sentence each.
+    /// Changes of coordinates or values on reading, and a name that promises another format: a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub notes: Vec<String>,
-    /// What the file contradicts itself in, and what was dropped, joined, filled or smoothed away on the way to the surface.
+    /// Contradictions within the file, and everything dropped, joined, filled or smoothed away on the way to the surface.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub warnings: Vec<InputWarning>,
-    /// What the size of the voxels leaves unknown; absent for meshes.
+    /// Uncertainty due to the size of the voxels; absent for meshes.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sampling: Option<SamplingReport>,
     /// Whether a match would accept the input.
@@ -301,6 +301,6 @@ pub struct LabelCount {
 pub struct Refusal {
     /// Stable name of the reason.
     pub code: String,
-    /// What is wrong, where, and what can be done about it.
+    /// The fault, its place, and its remedy.
     pub detail: String,
 }

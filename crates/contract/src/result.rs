@@ -32,7 +32,7 @@ pub struct ResultDocument {
     /// Whether the answer can be relied on; absent where no smooth displacement field could be fitted to say so.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub reliability: Option<ReliabilityDocument>,
-    /// What was found in the inputs and done to them, each sentence with the input before it, and what holds for the pair.
+    /// Findings in the inputs and changes of them, each sentence with its input, and findings on the pair.
     /// The reasons among them are in `reliability.reasons` too.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub warnings: Vec<InputWarning>,

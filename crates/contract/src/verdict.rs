@@ -15,7 +15,7 @@ pub struct Verdict {
     pub reliable: Option<bool>,
     /// The reasons to doubt it.
     pub reasons: Vec<UnreliableReason>,
-    /// What was found in the inputs and done to them that bears on the answer, a sentence each.
+    /// Findings in the inputs and changes of them that bear on the answer, a sentence each.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub warnings: Vec<String>,
     /// Symmetric distance between the registered surfaces.

@@ -20,7 +20,6 @@ mod tests;
 mod thesis;
 
 pub use answer::outcome::MatchOutcome;
-pub use answer::{consistency, outliers};
 pub use energy::near_isometry::{NearIsometryModel, near_isometry_model};
 pub use error::MatchError;
 pub use homolog_contract::parameters::{self, MatchParameters, Method, preset};

@@ -40,7 +40,7 @@ use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 /// [`MatchError`].
 ///
 /// # Cost
-/// Time `O(iterations · |E→| · n' · k̄)`; memory `1.25·|E→|·n'` numbers of 32 or 16 bits for the messages, for `n'`
+/// Time `O(iterations · |E→| · n' · k̄)`; memory `1.25·|E→|·n'` numbers of 32 bits for the messages, for `n'`
 /// labels, `|E→|` directed edges and `k̄` labels within the neighborhood radius on the level on which the energy is
 /// minimized; and `O(n log n)` for the vertices beside it.
 pub fn match_surfaces(

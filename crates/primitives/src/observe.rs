@@ -45,7 +45,7 @@ impl Phase {
     }
 }
 
-/// What the energy of a trace point measures. Energies of two quantities have nothing to do with each other.
+/// Quantity that the energy of a trace point measures. Energies of different quantities cannot be compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
@@ -88,7 +88,7 @@ pub struct TracePoint {
     /// Number of the fit, from 0, in the order in which they begin: each begins from another start. Absent outside of fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub start: Option<u32>,
-    /// What `energy` and its parts measure; absent without an energy. Only points of one quantity can
+    /// Quantity that `energy` and its parts measure; absent without an energy. Only points of one quantity can
     /// be compared, and only those of equal `round` and `start` are one series.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub quantity: Option<Quantity>,
@@ -150,8 +150,8 @@ impl TracePoint {
     }
 }
 
-/// Receives the progress of a computation and may cancel it. All methods are called often, from one thread at a time, and
-/// should return quickly.
+/// Receives the progress of a computation and may cancel it. All methods are called often and should return quickly;
+/// [`Observer::is_cancelled`] from any thread, the others from one thread at a time.
 pub trait Observer: Sync {
     /// The observer that receives every report this one does not handle; none by default.
     fn inner(&self) -> Option<&dyn Observer> {

@@ -1,9 +1,9 @@
-//! What to do with an answer, in one or two sentences, for every method and verdict.
+//! The next step after an answer, in one or two sentences, for every method and verdict.
 
 use homolog_contract::parameters::Method;
 use homolog_contract::result::{ResultDocument, UnreliableReason};
 
-/// What to do next. Parameters have the names of requests; the command line replaces them by its options.
+/// The next step. Parameters have the names of requests; the command line replaces them by its options.
 pub fn next_step(document: &ResultDocument) -> String {
     let verdict = document.verdict();
     let is_default = document.provenance.parameters.method == Method::Balanced;

@@ -16,6 +16,9 @@ pub enum StudyError {
     /// A name in the settings is unknown, or the requested computation is impossible.
     #[error("{0}")]
     Settings(String),
+    /// The operating system or the program failed.
+    #[error("{0}")]
+    Internal(String),
     /// The first surface of the template is unsuitable.
     #[error("the template cannot begin from {what}: {why}; choose another with --start, or give one with --template")]
     Start {

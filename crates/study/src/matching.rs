@@ -307,7 +307,7 @@ fn each(
                 let pool = match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
                     Ok(pool) => pool,
                     Err(error) => {
-                        let error = StudyError::Settings(format!("a thread for matches cannot be started: {error}"));
+                        let error = StudyError::Internal(format!("a thread for matches cannot be started: {error}"));
                         fault.lock().unwrap_or_else(std::sync::PoisonError::into_inner).get_or_insert(error);
                         return;
                     }

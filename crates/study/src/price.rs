@@ -21,7 +21,7 @@ use std::time::Duration;
 pub struct Price {
     /// Processor time of all parts together.
     pub processor_time: Duration,
-    /// What lowers the largest part, for people.
+    /// Advice that lowers the largest part, for people.
     pub advice: &'static str,
 }
 

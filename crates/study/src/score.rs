@@ -82,7 +82,7 @@ pub struct Region {
     pub deviation_mm: f64,
 }
 
-/// What a new subject shows, apart from its maps.
+/// Findings on a new subject, apart from its maps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ScoreSummary {
     /// The group, if it is a part of the study.
@@ -111,7 +111,7 @@ pub struct ScoreSummary {
     pub regions: Vec<Region>,
 }
 
-/// What a new subject shows.
+/// Findings on a new subject.
 #[derive(Debug, Clone)]
 pub struct SubjectScore {
     /// In figures.

@@ -8,11 +8,11 @@
 pub struct DisplacementParameters {
     /// Whether and how the source is deformed before corresponding points are determined.
     pub mode: DisplacementMode,
-    /// What is tried for surfaces that are bent, folded or articulated against each other.
+    /// Starts for surfaces that are bent, folded or articulated against each other.
     pub bending: Bending,
     /// Which rigid poses fits begin from.
     pub starts: FieldStarts,
-    /// What confidences and spreads rest on.
+    /// Basis of confidences and spreads.
     pub uncertainty: Uncertainty,
 }
 
@@ -29,7 +29,7 @@ pub enum FieldStarts {
     Search,
 }
 
-/// What the confidences and spreads of a displacement field rest on.
+/// Basis of the confidences and spreads of a displacement field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]

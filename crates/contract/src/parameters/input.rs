@@ -10,10 +10,10 @@ pub struct InputParameters {
     /// label except 0. A single one may stand without brackets. Ignored for meshes.
     #[cfg_attr(feature = "serde", serde(default, deserialize_with = "one_or_many::deserialize"))]
     pub labels: Option<Vec<LabelChoice>>,
-    /// What holds for the source alone.
+    /// Parameters of the source alone.
     #[cfg_attr(feature = "serde", serde(default))]
     pub source: SideParameters,
-    /// What holds for the target alone.
+    /// Parameters of the target alone.
     #[cfg_attr(feature = "serde", serde(default))]
     pub target: SideParameters,
     /// Kind of surface that is made from a label volume.

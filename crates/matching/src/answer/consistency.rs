@@ -10,7 +10,7 @@ pub const DEGENERATE_AREA_SHARE: f64 = 1e-6;
 
 /// The measures of [`topology_consistency`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TopologyConsistency {
+pub(crate) struct TopologyConsistency {
     /// Share of source edges whose images lie within `r` edges on the target; 0 if there are no edges.
     pub consistency: f64,
     /// Share of target vertices that are the image of a source vertex.
@@ -25,7 +25,7 @@ pub struct TopologyConsistency {
 
 /// Why a labeling cannot be measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-pub enum LabelingError {
+pub(crate) enum LabelingError {
     /// The number of values is not the number of source vertices.
     #[error("{found} values are given for {n_vertices} source vertices")]
     LengthMismatch {
@@ -47,7 +47,7 @@ pub enum LabelingError {
 }
 
 /// Topology consistency of the map that takes source vertex `i` to target vertex `labeling[i]`, with neighborhoods of
-/// `rings` edges (`r`).
+/// `r` edges. `variables` is the edge graph of `source`, `labels` is `N_r` over that of `target`.
 ///
 /// The image of a source triangle is the triangle between the labels of its corners, in their order. It is
 /// *degenerate* if two of its labels coincide or its area is below [`DEGENERATE_AREA_SHARE`] of the mean area of the
@@ -60,24 +60,7 @@ pub enum LabelingError {
 ///
 /// # Cost
 /// `O(edges + faces)` where neighbors have images that are close, on all threads.
-pub fn topology_consistency(
-    source: &SurfaceMesh,
-    target: &SurfaceMesh,
-    labeling: &[u32],
-    rings: usize,
-) -> Result<TopologyConsistency, LabelingError> {
-    let (variables, graph) = (source.edge_graph(), target.edge_graph());
-    topology_consistency_within(source, &variables, target, labeling, &Reach { graph: &graph, rings })
-}
-
-/// [`topology_consistency`] with given edge graphs: `variables` is that of `source`, `labels` has that of `target`.
-///
-/// # Errors
-/// [`LabelingError`].
-///
-/// # Cost
-/// As [`topology_consistency`].
-pub fn topology_consistency_within(
+pub(crate) fn topology_consistency(
     source: &SurfaceMesh,
     variables: &EdgeGraph,
     target: &SurfaceMesh,
@@ -170,6 +153,16 @@ mod tests {
     use proptest::prelude::*;
     use std::collections::BTreeSet;
 
+    fn of_meshes(
+        source: &SurfaceMesh,
+        target: &SurfaceMesh,
+        labeling: &[u32],
+        rings: usize,
+    ) -> Result<TopologyConsistency, LabelingError> {
+        let (variables, graph) = (source.edge_graph(), target.edge_graph());
+        topology_consistency(source, &variables, target, labeling, &Reach { graph: &graph, rings })
+    }
+
     fn shapes() -> [SurfaceMesh; 3] {
         [
             ellipsoid(Vector3::new(9.0, 6.0, 5.0), 2),
@@ -193,7 +186,7 @@ mod tests {
                 for (k, &number) in seed.iter().enumerate() {
                     labeling[(k * 7) % n] = number % n as u32;
                 }
-                let found = topology_consistency(&mesh, &mesh, &labeling, rings).unwrap();
+                let found = of_meshes(&mesh, &mesh, &labeling, rings).unwrap();
                 let graph = mesh.edge_graph();
                 let mut n_kept = 0;
                 for i in 0..n {
@@ -217,7 +210,7 @@ mod tests {
     fn the_identity_is_perfect() {
         for mesh in shapes() {
             let labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
-            let found = topology_consistency(&mesh, &mesh, &labeling, 1).unwrap();
+            let found = of_meshes(&mesh, &mesh, &labeling, 1).unwrap();
             let n_triangles = mesh.triangles().len();
             let perfect =
                 TopologyConsistency { consistency: 1.0, coverage: 1.0, n_triangles, n_flipped: 0, n_degenerate: 0 };
@@ -228,7 +221,7 @@ mod tests {
     #[test]
     fn a_map_onto_one_vertex_keeps_all_edges_and_no_triangle() {
         for mesh in shapes() {
-            let found = topology_consistency(&mesh, &mesh, &vec![3; mesh.n_vertices()], 0).unwrap();
+            let found = of_meshes(&mesh, &mesh, &vec![3; mesh.n_vertices()], 0).unwrap();
             assert_eq!((found.consistency, found.coverage), (1.0, 1.0 / mesh.n_vertices() as f64));
             assert_eq!((found.n_degenerate, found.n_flipped), (found.n_triangles, 0));
         }
@@ -243,7 +236,7 @@ mod tests {
             mesh.vertices().iter().position(|q| distance(q) < 1e-9).unwrap() as u32
         };
         let labeling: Vec<u32> = mesh.vertices().iter().map(mirror).collect();
-        let found = topology_consistency(&mesh, &mesh, &labeling, 1).unwrap();
+        let found = of_meshes(&mesh, &mesh, &labeling, 1).unwrap();
         assert_eq!((found.consistency, found.coverage), (1.0, 1.0));
         assert_eq!((found.n_flipped, found.n_degenerate), (found.n_triangles, 0));
     }
@@ -254,13 +247,13 @@ mod tests {
         let mut labeling: Vec<u32> = (0..mesh.n_vertices() as u32).collect();
         let [a, b] = mesh.edges()[500];
         labeling.swap(a as usize, b as usize);
-        let found = topology_consistency(&mesh, &mesh, &labeling, 2).unwrap();
+        let found = of_meshes(&mesh, &mesh, &labeling, 2).unwrap();
         // The two triangles at the edge are flipped; both vertices are still within two edges of all neighbors.
         assert_eq!((found.consistency, found.coverage, found.n_degenerate), (1.0, 1.0, 0));
         assert!((2..=10).contains(&found.n_flipped), "{found:?}");
         // With one label for both vertices the same two triangles have no area.
         labeling[a as usize] = labeling[b as usize];
-        let found = topology_consistency(&mesh, &mesh, &labeling, 2).unwrap();
+        let found = of_meshes(&mesh, &mesh, &labeling, 2).unwrap();
         assert_eq!(found.n_degenerate, 2);
     }
 
@@ -268,10 +261,10 @@ mod tests {
     fn an_invalid_labeling_is_an_error_that_names_the_fault() {
         let mesh = ellipsoid(Vector3::repeat(6.0), 1);
         let short = LabelingError::LengthMismatch { found: 3, n_vertices: 42 };
-        assert_eq!(topology_consistency(&mesh, &mesh, &[0; 3], 1).unwrap_err(), short);
+        assert_eq!(of_meshes(&mesh, &mesh, &[0; 3], 1).unwrap_err(), short);
         let mut labeling = vec![0; 42];
         labeling[7] = 42;
         let outside = LabelingError::NoSuchLabel { vertex: 7, label: 42, n_labels: 42 };
-        assert_eq!(topology_consistency(&mesh, &mesh, &labeling, 1).unwrap_err(), outside);
+        assert_eq!(of_meshes(&mesh, &mesh, &labeling, 1).unwrap_err(), outside);
     }
 }

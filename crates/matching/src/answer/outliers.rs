@@ -1,21 +1,12 @@
 //! Outliers among the correspondences, and their reasons.
 
 use super::consistency::{LabelingError, check_labeling, keeps_edge};
+use homolog_contract::result::OutlierReason;
 use homolog_primitives::graph::{EdgeGraph, Reach};
 use rayon::prelude::*;
 
-/// Why a source vertex is an outlier.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum OutlierReason {
-    /// Its residual after registration exceeds the tolerance.
-    Residual,
-    /// More than half of its edges break: the images of these neighbors do not lie within `r` edges of its own.
-    Neighborhood,
-    /// Both.
-    Both,
-}
-
-/// For every source vertex the reason why it is an outlier, or `None` if it is not.
+/// For every source vertex the reason why it is an outlier. `Neighborhood`: more than half of its edges break, because the images of
+/// these neighbors do not lie within `r` edges of its own.
 ///
 /// `variables` is the edge graph of the source, `labels` is `N_r` over the target; `residuals_mm` holds the distance of
 /// each registered source vertex from its label. A residual that is not a number exceeds every tolerance. A vertex next
@@ -26,13 +17,13 @@ pub enum OutlierReason {
 ///
 /// # Cost
 /// `O(|E→|)` if neighbors have images that are close, on all threads.
-pub fn identify_outliers(
+pub(crate) fn identify_outliers(
     variables: &EdgeGraph,
     labels: &Reach<'_>,
     labeling: &[u32],
     residuals_mm: &[f64],
     tolerance_mm: f64,
-) -> Result<Vec<Option<OutlierReason>>, LabelingError> {
+) -> Result<Vec<OutlierReason>, LabelingError> {
     let n_vertices = variables.n_vertices();
     check_labeling(labeling, n_vertices, labels.graph.n_vertices())?;
     if residuals_mm.len() != n_vertices {
@@ -41,10 +32,10 @@ pub fn identify_outliers(
     let reasons = breaks_neighborhood(variables, labels, labeling).into_iter().zip(residuals_mm).map(|(breaks, r)| {
         let within = *r <= tolerance_mm;
         match (within, breaks) {
-            (true, false) => None,
-            (false, false) => Some(OutlierReason::Residual),
-            (true, true) => Some(OutlierReason::Neighborhood),
-            (false, true) => Some(OutlierReason::Both),
+            (true, false) => OutlierReason::None,
+            (false, false) => OutlierReason::Residual,
+            (true, true) => OutlierReason::Neighborhood,
+            (false, true) => OutlierReason::Both,
         }
     });
     Ok(reasons.collect())
@@ -119,7 +110,7 @@ mod tests {
                 let found =
                     identify_outliers(&variables, &labels.reach(), &labeling, &residuals(&mesh, &labeling), 4.0).unwrap();
                 for (at, reason) in found.iter().enumerate() {
-                    prop_assert_eq!(*reason, planted.contains(&at).then_some(OutlierReason::Both), "vertex {}", at);
+                    prop_assert_eq!(*reason, if planted.contains(&at) { OutlierReason::Both } else { OutlierReason::None }, "vertex {}", at);
                 }
             }
         }
@@ -141,7 +132,7 @@ mod tests {
         let found = identify_outliers(&mesh.edge_graph(), &labels.reach(), &labeling, &own, 1.0).unwrap();
         for (v, reason) in found.iter().enumerate() {
             let moved = v as u32 / across >= around / 2;
-            assert_eq!(*reason, moved.then_some(OutlierReason::Residual), "vertex {v}");
+            assert_eq!(*reason, if moved { OutlierReason::Residual } else { OutlierReason::None }, "vertex {v}");
         }
     }
 
@@ -156,7 +147,7 @@ mod tests {
         let found =
             identify_outliers(&mesh.edge_graph(), &neighborhoods(&mesh, 2).reach(), &labeling, &own, 100.0).unwrap();
         assert_eq!(found[100], Some(OutlierReason::Neighborhood));
-        assert_eq!(found.iter().filter(|r| r.is_some()).count(), 1);
+        assert_eq!(found.iter().filter(|r| **r != OutlierReason::None).count(), 1);
     }
 
     #[test]
@@ -165,7 +156,10 @@ mod tests {
         let path = EdgeGraph::from_edges(5, &[[0, 1], [1, 2], [2, 3], [3, 4]]);
         let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
         let found = identify_outliers(&path, &labels.reach(), &[0, 1, 2, 3, 0], &[0.0; 5], 1.0).unwrap();
-        assert_eq!(found, [None, None, None, None, Some(OutlierReason::Neighborhood)]);
+        assert_eq!(
+            found,
+            [OutlierReason::None; 4].into_iter().chain([OutlierReason::Neighborhood]).collect::<Vec<_>>()
+        );
     }
 
     #[test]
@@ -174,7 +168,7 @@ mod tests {
         let labels = LabelNeighborhoods::new(&path, 1, |_, _| 0.0);
         let own = [1.0, f64::NAN, 1.0];
         let found = identify_outliers(&path, &labels.reach(), &[0, 1, 2], &own, 2.0).unwrap();
-        assert_eq!(found, [None, Some(OutlierReason::Residual), None]);
+        assert_eq!(found, [OutlierReason::None, OutlierReason::Residual, OutlierReason::None]);
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! The fourth stage: measures of the images of the source vertices, in the numbering of the inputs.
 
-use super::consistency::topology_consistency_within;
+use super::consistency::topology_consistency;
 use super::deformation::deformation;
 use super::displaced::{Images, VertexImages, labeling_of_energy};
 use super::inverse::inverse;
 use super::outcome::MatchOutcome;
-use super::outliers::{self, identify_outliers};
+use super::outliers::identify_outliers;
 use crate::pair::problem::{EnergyProblem, MatchProblem};
 use crate::pair::scene::Scene;
 use crate::pair::solver::solver;
@@ -191,7 +191,7 @@ fn topology(
     labeling: &[u32],
 ) -> ConsistencyDocument {
     let (source, target) = (scene.source.mesh(), scene.target.mesh());
-    let found = topology_consistency_within(source, variables, target, labeling, labels);
+    let found = topology_consistency(source, variables, target, labeling, labels);
     // Minimizers and closest points give target vertices only.
     let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
     let flipped = if transform.is_reflection() {
@@ -217,13 +217,7 @@ fn outlier_reasons(
 ) -> Vec<OutlierReason> {
     let found = identify_outliers(variables, labels, labeling, residuals, scene.tolerance_mm);
     let Ok(found) = found else { unreachable!("a labeling with labels that are no target vertices") };
-    let reason = |reason: Option<outliers::OutlierReason>| match reason {
-        None => OutlierReason::None,
-        Some(outliers::OutlierReason::Residual) => OutlierReason::Residual,
-        Some(outliers::OutlierReason::Neighborhood) => OutlierReason::Neighborhood,
-        Some(outliers::OutlierReason::Both) => OutlierReason::Both,
-    };
-    found.into_iter().map(reason).collect()
+    found
 }
 
 /// The similarity over the support, if the parameters ask for it and three pairs determine it. For a source scaled to

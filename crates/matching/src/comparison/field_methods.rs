@@ -6,6 +6,7 @@ use crate::answer::images::images;
 use crate::answer::reliability::without_counterpart;
 use crate::error::MatchError;
 use crate::pair::problem::MatchProblem;
+use crate::poses::rigid_part::MAX_COPY_DISPLACEMENT_EDGES;
 use homolog_contract::parameters::DisplacementMode;
 use homolog_contract::result::PoseDocument;
 use homolog_geometry::curvature::vertex_areas;
@@ -17,8 +18,6 @@ use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
-/// Root mean square displacement below which surfaces are copies and keep their pose, in mean target edge lengths.
-const COPY_EDGES: f64 = 0.5;
 /// Steps of the flow of a velocity field when it moves all vertices.
 const FLOW_STEPS: usize = 20;
 
@@ -146,7 +145,7 @@ fn answered(
     let found = images(target, &scene.closest.index, &moved, &variances, scene.edge_mm);
     let no_counterpart = without_counterpart(target, scene.edge_mm, &found);
     let displaced: f64 = source.vertices().iter().zip(&moved).map(|(p, q)| (pose.apply(p) - q).norm_squared()).sum();
-    let are_copies = (displaced / moved.len() as f64).sqrt() < COPY_EDGES * scene.edge_mm;
+    let are_copies = (displaced / moved.len() as f64).sqrt() < MAX_COPY_DISPLACEMENT_EDGES * scene.edge_mm;
     let fitted = absolute_orientation_of(source.vertices(), &moved, Some(&vertex_areas(source)), pose.is_reflection());
     let confidence = found.iter().zip(&no_counterpart).map(|(i, &alone)| if alone { 0.0 } else { i.confidence });
     VertexImages {

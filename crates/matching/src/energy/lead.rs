@@ -1,5 +1,6 @@
 //! Significance of the difference in cost between two labelings.
 
+use crate::surface::robust::mean_over_standard_error;
 use crate::surface::sites::Sites;
 
 /// Standard errors of the mean difference from which one of two labelings costs more.
@@ -35,14 +36,6 @@ impl VariableClusters {
         for ((own, other), &group) in own.iter().zip(others).zip(&self.of) {
             sums[group as usize] += other - own;
         }
-        standardized_mean(&sums)
+        mean_over_standard_error(&sums)
     }
-}
-
-/// Mean of `values` over its standard error.
-fn standardized_mean(values: &[f64]) -> f64 {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0);
-    mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
 }

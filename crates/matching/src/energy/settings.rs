@@ -29,7 +29,7 @@ pub(crate) struct IsometrySettings {
     pub bias_truncation: f64,
     /// Weight of a bias.
     pub bias_weight: f64,
-    /// Iterations of belief propagation with a bias.
+    /// Iterations of belief propagation, from each bias and from none.
     pub iterations: usize,
     /// Active labels of a variable.
     pub active_labels: usize,

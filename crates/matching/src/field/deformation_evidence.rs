@@ -23,7 +23,7 @@ const MOST_POINTS: usize = 200;
 pub(super) const WIDTHS: [f64; 7] = [0.075, 0.105, 0.15, 0.21, 0.3, 0.42, 0.6];
 /// Largest ratio of the variances of the process and of the noise, as a power of two: on surfaces without noise a field
 /// is known to a thousandth of its size.
-pub(super) const LARGEST_RATIO: i32 = 22;
+pub(super) const EVIDENCE_MAX_LOG2_RATIO: i32 = 22;
 
 /// A sampled vertex of the source and where it comes to lie on the target.
 pub(super) struct Observed {
@@ -66,10 +66,11 @@ pub(super) fn deformation_evidence(
 /// log likelihoods is the square of a normal deviate. Negative if the second is more probable; 0 where one of them is
 /// no deformation. `resolution_mm`: the least noise and amplitude.
 pub(super) fn lead(first: &HeightEvidence, second: &HeightEvidence, resolution_mm: f64) -> f64 {
-    let of = |evidence: &HeightEvidence| evidence.most_probable(LARGEST_RATIO).map(|found| found.noise_mm);
+    let of = |evidence: &HeightEvidence| evidence.most_probable(EVIDENCE_MAX_LOG2_RATIO).map(|found| found.noise_mm);
     let (Some(of_first), Some(of_second)) = (of(first), of(second)) else { return 0.0 };
     let noise_mm = of_first.max(of_second).max(resolution_mm);
-    let log_likelihood = |evidence: &HeightEvidence| evidence.log_likelihood(noise_mm, resolution_mm, LARGEST_RATIO);
+    let log_likelihood =
+        |evidence: &HeightEvidence| evidence.log_likelihood(noise_mm, resolution_mm, EVIDENCE_MAX_LOG2_RATIO);
     let difference = log_likelihood(first) - log_likelihood(second);
     (2.0 * difference.abs()).sqrt().copysign(difference)
 }

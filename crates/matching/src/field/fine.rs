@@ -136,13 +136,13 @@ pub(crate) fn sliding(
             let to_surface = at.point - p;
             let to_mean = assigned.found.targets[i] - p;
             let height = normal.dot(&to_surface);
-            let displacement = (p - starts[i]) + to_mean + normal * (height - normal.dot(&to_mean));
+            let observed_mm = (p - starts[i]) + to_mean + normal * (height - normal.dot(&to_mean));
             // Cauchy weight: a point that is far away, or on the opposite side of a wall, is no counterpart.
             let trust =
                 normal.dot(&assigned.normals[i]).max(0.0) / (1.0 + (to_surface.norm() / (3.0 * along_mm)).powi(2));
             let area = areas[i];
             let across = across * area * assigned.found.mass[i];
-            (Observation { displacement, normal, along: along * area * trust, across }, height.abs())
+            (Observation { displacement: observed_mm, normal, along: along * area * trust, across }, height.abs())
         })
         .collect();
     let mut heights: Vec<f64> = pairs.iter().map(|p| p.1).collect();

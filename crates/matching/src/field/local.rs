@@ -26,7 +26,7 @@ use nalgebra::Point3;
 
 /// Largest ratio of the variances of the second kernel and of the noise, as a power of two: noise of less than a 64th
 /// of the displacement is not plausible.
-const LARGEST_RATIO: i32 = 12;
+const LOCAL_MAX_LOG2_RATIO: i32 = 12;
 
 /// The kernel to add, and the noise under it, for the kernel that was `found` on surfaces with this sampling distance.
 fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &DisplacementOptions) -> LocalKernel {
@@ -143,7 +143,7 @@ fn evidence(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> Option<Kern
     let points: Vec<Point3<f64>> = picked.iter().map(|&i| source[i]).collect();
     let points = displacement.functions.coordinates(&points);
     let widths = displacement.options.local.widths.map(|w| w * displacement.diagonal_mm);
-    most_probable_kernel(&points, &normals, &heights, &widths, LARGEST_RATIO)
+    most_probable_kernel(&points, &normals, &heights, &widths, LOCAL_MAX_LOG2_RATIO)
 }
 
 /// The field after some steps of `fit` from `moved`, with the precisions of the features there.

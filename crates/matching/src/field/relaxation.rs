@@ -29,7 +29,7 @@ const N_INDUCING: usize = 100;
 /// Most Gauss-Newton steps.
 const MOST_STEPS: usize = 10;
 /// Root mean square movement in a step below which it is the last, in sampling distances.
-const AT_REST: f64 = 0.02;
+const CONVERGED_STEP_SAMPLINGS: f64 = 0.02;
 /// Weight of each feature: as much in all as that of those that uncertainty observes, as they are highly correlated.
 const WEIGHT_OF_FEATURE: f64 = 2.0 * FEATURE_SHARE / N_FEATURES as f64;
 
@@ -91,7 +91,7 @@ pub(super) fn relax(
         for (set, values) in sets.iter_mut().zip(&of_sets) {
             *set.moved = slid(&joint, rigid, (set.points, set.moved), (&field, values));
         }
-        if squares <= vertices.len() as f64 * (AT_REST * displacement.lengths.sampling_mm).powi(2) {
+        if squares <= vertices.len() as f64 * (CONVERGED_STEP_SAMPLINGS * displacement.lengths.sampling_mm).powi(2) {
             break;
         }
     }
@@ -122,7 +122,7 @@ fn slopes(mesh: &SurfaceMesh, features: &[f64]) -> Vec<[Vector3<f64>; N_FEATURES
     sums.into_iter().map(mean).collect()
 }
 
-/// What the surfaces say of the displacement at each point of `thinned`, where the vertices of the source are displaced
+/// Observations of the displacement at each point of `thinned`, where the vertices of the source are displaced
 /// from `start` to `moved`. Nothing is known beyond the rim of the target.
 fn observed(
     displacement: &FitContext<'_>,

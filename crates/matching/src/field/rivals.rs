@@ -19,6 +19,7 @@ use super::track::placed;
 use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced};
 use crate::poses::compared::{ComparedPose, ComparisonOutcome};
+use crate::surface::robust::mean_over_standard_error;
 use homolog_primitives::points::FarthestPoints;
 use homolog_registration::alignment::{OrientedPoints, point_misfits};
 use homolog_registration::deformation::HeightEvidence;
@@ -58,10 +59,7 @@ impl Unexplained {
     /// Mean difference from `other` in standard errors; positive if `other` explains more.
     pub(crate) fn excess_over(&self, other: &Unexplained) -> f64 {
         let differences: Vec<f64> = self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect();
-        let n = differences.len() as f64;
-        let mean = differences.iter().sum::<f64>() / n;
-        let variance = differences.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / (n - 1.0);
-        mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
+        mean_over_standard_error(&differences)
     }
 
     pub(crate) fn evidence(&self, other: &Unexplained) -> Preference {

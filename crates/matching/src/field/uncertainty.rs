@@ -13,7 +13,7 @@
 //! a height also has a linearization error, which grows with the posterior variance along the surface: both are
 //! iterated to a fixed point ([`ObservationSample::posterior`]).
 
-use super::deformation_evidence::{LARGEST_RATIO, Observed, WIDTHS, observed};
+use super::deformation_evidence::{EVIDENCE_MAX_LOG2_RATIO, Observed, WIDTHS, observed};
 use super::displacement::FitContext;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::N_FEATURES;
@@ -31,7 +31,7 @@ const N_OCTAVES: i32 = 3;
 const SMOOTHNESS: f64 = 2.5;
 /// Most iterations between the variances and the error of heights, and the growth of variances at which they stop.
 const MOST_PASSES: usize = 12;
-const AT_REST: f64 = 1.05;
+const CONVERGED_GROWTH: f64 = 1.05;
 /// Bins of distance in an autocorrelation, and their width in roots of the area.
 const N_BINS: usize = 60;
 const BIN: f64 = 0.02;
@@ -140,7 +140,7 @@ impl ObservationSample {
     pub(super) fn prior(&self, displacement: &FitContext<'_>) -> Option<(SmoothPrior, f64)> {
         let widths = WIDTHS.map(|width| width * displacement.diagonal_mm);
         let at = displacement.functions.coordinates(&self.points);
-        let found = most_probable_kernel(&at, &self.normals, &self.shifts, &widths, LARGEST_RATIO)?;
+        let found = most_probable_kernel(&at, &self.normals, &self.shifts, &widths, EVIDENCE_MAX_LOG2_RATIO)?;
         let kernels = octaves(found.kernel).collect();
         Some((SmoothPrior { kernels, ..displacement.options.prior.of(displacement.diagonal_mm) }, found.noise_mm))
     }
@@ -174,7 +174,7 @@ impl ObservationSample {
             let covariances = posterior_covariances(prior, &center, &components, at)?;
             variances = (0..n).map(|k| covariances[(k, k)].max(0.0)).collect();
             let total = variances.iter().sum::<f64>();
-            if total <= AT_REST * before {
+            if total <= CONVERGED_GROWTH * before {
                 break;
             }
             before = total;

@@ -24,7 +24,7 @@ use nalgebra::Point3;
 
 /// Root mean square displacement after the rigid transform below which closed surfaces are copies, in mean target edge
 /// lengths.
-const COPY_EDGES: f64 = 0.5;
+pub(crate) const MAX_COPY_DISPLACEMENT_EDGES: f64 = 0.5;
 /// Most steps of the alignment of copies.
 const MAX_STEPS: u32 = 30;
 /// The alignment ends when a step rotates by less than this, radians, and moves by less than this, in diagonals of the
@@ -70,7 +70,7 @@ impl Alignment<'_> {
         let Ok(fitted) = fitted else { return Ok(None) };
         let squares: f64 =
             source.vertices().iter().zip(images).map(|(p, q)| (fitted.apply(p) - q).norm_squared()).sum();
-        let mut copies = (squares / images.len() as f64).sqrt() < COPY_EDGES * self.edge_mm;
+        let mut copies = (squares / images.len() as f64).sqrt() < MAX_COPY_DISPLACEMENT_EDGES * self.edge_mm;
         let mut start = fitted;
         if open {
             let first = self.aligned_shortly(&fitted)?;
@@ -94,7 +94,7 @@ impl Alignment<'_> {
         let other = self.aligned(&first.target_from_source)?;
         let points = self.source.mesh.vertices();
         let squares: f64 = points.iter().map(|p| (other.apply(p) - pose.apply(p)).norm_squared()).sum();
-        Ok((squares / points.len() as f64).sqrt() >= COPY_EDGES * self.edge_mm)
+        Ok((squares / points.len() as f64).sqrt() >= MAX_COPY_DISPLACEMENT_EDGES * self.edge_mm)
     }
 
     /// The result of a rigid alignment of all points from `start`.

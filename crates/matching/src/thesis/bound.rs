@@ -6,7 +6,7 @@ use homolog_mrf::inference::{DualBound, DualOptions};
 use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 
 /// The dual method ends when the energy of a labeling is within this share of the bound.
-const GAP_TOLERANCE: f64 = 1e-9;
+const BOUND_GAP: f64 = 1e-9;
 /// The dual method ends when an iteration raises the bound by less than this share.
 const PROGRESS_TOLERANCE: f64 = 1e-6;
 
@@ -20,7 +20,7 @@ pub(crate) fn lower_bound(
         return Ok(None);
     }
     observer.phase(Phase::Bounding);
-    let options = DualOptions { gap_tolerance: GAP_TOLERANCE, progress_tolerance: PROGRESS_TOLERANCE };
+    let options = DualOptions { gap_tolerance: BOUND_GAP, progress_tolerance: PROGRESS_TOLERANCE };
     let found = DualBound::new(model, options).run(iterations, observer, |iteration, _| {
         observer.trace(&TracePoint {
             quantity: Some(Quantity::CurvatureEnergy),

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 /// The hard constraint has no such floor: it would become the cost of a broken edge.
 const MESSAGE_FLOOR: f32 = 1e-5;
 /// The dual method ends when the energy is within this share of the bound.
-const GAP_TOLERANCE: f64 = 1e-6;
+const ROUND_GAP: f64 = 1e-6;
 /// The dual method ends when an iteration raises the bound by less than this share.
 const PROGRESS_TOLERANCE: f64 = 1e-5;
 /// An annealer is frozen when no label has changed for this number of sweeps.
@@ -113,7 +113,7 @@ impl Minimizer for Dual<'_> {
         let &InferenceRun { round, budget, observer, .. } = run;
         let minimized = self.biased.as_ref().unwrap_or(self.model);
         let mut last: Labeling = Vec::new();
-        let options = DualOptions { gap_tolerance: GAP_TOLERANCE, progress_tolerance: PROGRESS_TOLERANCE };
+        let options = DualOptions { gap_tolerance: ROUND_GAP, progress_tolerance: PROGRESS_TOLERANCE };
         let outcome = DualBound::new(minimized, options).run(budget, observer, |iteration, labeling| {
             let energy = self.model.energy(labeling);
             let changed = labeling.iter().zip(&last).filter(|(a, b)| a != b).count();

@@ -116,7 +116,7 @@ impl<'a> BeliefPropagation<'a> {
         observer: &dyn Observer,
         on_iteration: impl FnMut(&BpIteration),
     ) -> Result<BpOutcome, Cancelled> {
-        // What was left off must not be run.
+        // Directions that were left out must not be run.
         checkpoint_within(self.observer)?;
         let kernel = Kernel {
             model: self.model,

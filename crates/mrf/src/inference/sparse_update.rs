@@ -198,7 +198,7 @@ pub(super) fn sum_update_uniform(table: &PairTable, rest: &Lanes, epsilon: f32, 
 
 /// Max-product with a distance term. `near` and `far` are the [`super::pair_table::edge_factors`] of each lane.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2+f16c"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn max_update(
     table: &PairTable,
     cavity: &[Lanes],
@@ -227,7 +227,7 @@ pub(super) fn max_update(
 /// Sum-product: `ε Σ_x h(x) + Σ_{x ∈ N_r(y)} (ψ(x, y) − ε) h(x)`, with `ψ` not below `ε` (`epsilon`) and
 /// `rest = ε Σ_x h(x)`.
 #[allow(unsafe_code, reason = "the dispatch to instruction sets that `multiversion` generates")]
-#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2+f16c"))]
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
 pub(super) fn sum_update(
     table: &PairTable,
     cavity: &[Lanes],

@@ -30,7 +30,7 @@ impl Observation {
     }
 }
 
-/// What is known of the displacement at one point: a normal distribution in information form, which may say nothing in
+/// Observation of the displacement at one point: a normal distribution in information form, which may say nothing in
 /// some directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Information {

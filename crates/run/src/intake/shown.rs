@@ -1,4 +1,4 @@
-//! What there is to see of an input: its surface, also of a refused input, and its label volume.
+//! The views of an input: its surface, also of a refused input, and its label volume.
 
 use super::{IntakeError, IntakeLimits, prepare_surface, read};
 use homolog_contract::parameters::InputParameters;

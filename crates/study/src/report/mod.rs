@@ -42,7 +42,7 @@ pub(crate) fn triangles(mesh: &SurfaceMesh) -> Vec<u8> {
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
-/// What the plot of effects shows.
+/// Caption of the plot of effects.
 const FOREST_HINT: &str = "<p class=\"hint\">Hedges' g, the effect over the standard deviation of the residuals, with its 95 % \
      interval.</p>\n";
 /// Largest number of pictures of quality control, and of vertices of all of them together.

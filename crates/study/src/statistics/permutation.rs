@@ -47,7 +47,7 @@ const OF_TASK: usize = 64;
 /// Tasks whose counts, one per vertex, are in memory at the same time.
 const TASKS: usize = 32;
 
-/// What does not change the distribution of residuals if there is no effect.
+/// Exchanges that do not change the distribution of residuals if there is no effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exchange {
     /// Another order of the subjects.

@@ -23,7 +23,7 @@ use crate::statistics::multiple::false_discovery;
 use crate::statistics::paired::Pairs;
 use crate::statistics::permutation::{Exchange, PermutationMap, test_by};
 use crate::statistics::tfce::Enhancer;
-use crate::subjects::{SubjectFindings, SubjectOutcome};
+use crate::subjects::{LabelSize, SubjectFindings, SubjectOutcome};
 use faer::Mat;
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::{FileContent, ReadLimits};
@@ -404,7 +404,7 @@ fn labels(
         voted(some.map(|(_, (_, _, vote))| vote.as_slice()), n)
     };
     let halves = [half(0), half(1)];
-    type Carried = (usize, BTreeMap<u32, (f64, Option<f64>)>, Option<Vec<Option<f64>>>);
+    type Carried = (usize, BTreeMap<u32, LabelSize>, Option<Vec<Option<f64>>>);
     let rows: BTreeMap<usize, usize> = votes.iter().enumerate().map(|(row, (k, ..))| (*k, row)).collect();
     let found: Vec<Carried> = usable
         .par_iter()
@@ -415,14 +415,14 @@ fn labels(
             let area = |label: u32| {
                 areas.iter().zip(&of_vertex).filter(|(_, of)| **of == Some(label)).map(|(area, _)| area).sum::<f64>()
             };
-            let mut each: BTreeMap<u32, (f64, Option<f64>)> =
-                labels.iter().map(|&label| (label, (area(label), None))).collect();
+            let size = |&label: &u32| (label, LabelSize { area_mm2: area(label), volume_mm3: None });
+            let mut each: BTreeMap<u32, LabelSize> = labels.iter().map(size).collect();
             let mut overlap = None;
             if let Some((volume, structure)) = volume_of(study, folder, k)? {
                 let voxel = volume.affine().fixed_view::<3, 3>(0, 0).determinant().abs();
                 for label in carried(&volume, &structure, &bent, &of_vertex, observer)? {
-                    if let Some((_, mm3)) = each.get_mut(&label) {
-                        *mm3 = Some(mm3.unwrap_or(0.0) + voxel);
+                    if let Some(size) = each.get_mut(&label) {
+                        size.volume_mm3 = Some(size.volume_mm3.unwrap_or(0.0) + voxel);
                     }
                 }
                 if let Some(row) = rows.get(&k).filter(|_| of_template || votes.len() > 1) {
@@ -538,8 +538,11 @@ fn whole_effects(
     add("centroid size, mm".to_owned(), Some(rows().map(|s| s.size_mm).collect()));
     let labels: BTreeSet<u32> = rows().flat_map(|subject| subject.labels.keys().copied()).collect();
     for label in labels {
-        add(format!("volume of label {label}, mm³"), rows().map(|s| s.labels.get(&label).and_then(|l| l.1)).collect());
-        add(format!("area of label {label}, mm²"), rows().map(|s| s.labels.get(&label).map(|l| l.0)).collect());
+        add(
+            format!("volume of label {label}, mm³"),
+            rows().map(|s| s.labels.get(&label).and_then(|l| l.volume_mm3)).collect(),
+        );
+        add(format!("area of label {label}, mm²"), rows().map(|s| s.labels.get(&label).map(|l| l.area_mm2)).collect());
     }
     let mut effects = Vec::new();
     for (variable, values) in variables {

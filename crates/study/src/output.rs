@@ -297,8 +297,11 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
     columns.push(("mahalanobis_squared".to_owned(), number(&|k| of[k].distance)));
     columns.push(("mahalanobis_p".to_owned(), number(&|k| of[k].unusual_p)));
     for label in found.labels.iter().flat_map(|labels| &labels.labels) {
-        columns.push((format!("label_{label}_area_mm2"), number(&|k| of[k].labels.get(label).map(|l| l.0))));
-        columns.push((format!("label_{label}_volume_mm3"), number(&|k| of[k].labels.get(label).and_then(|l| l.1))));
+        columns.push((format!("label_{label}_area_mm2"), number(&|k| of[k].labels.get(label).map(|l| l.area_mm2))));
+        columns.push((
+            format!("label_{label}_volume_mm3"),
+            number(&|k| of[k].labels.get(label).and_then(|l| l.volume_mm3)),
+        ));
     }
     if let Some(labels) = &found.labels {
         for (at, label) in labels.labels.iter().enumerate() {

@@ -254,8 +254,8 @@ impl Study {
             (TemplateChoice::Given { .. }, _) => TemplateHistory { template: self.first.clone(), rounds: Vec::new() },
             (TemplateChoice::Made(_), Some(kept)) => kept.clone(),
             (TemplateChoice::Made(how), None) => match self.make(how, records, observer)? {
-                Ok(making) => making,
-                Err(step) => return Ok(step),
+                TemplateState::Ready(history) => history,
+                TemplateState::Missing(step) => return Ok(step),
             },
         };
         let template = &making.template;
@@ -281,7 +281,10 @@ impl Study {
     ) -> Result<Option<TemplateHistory>, StudyError> {
         match &self.settings.template {
             TemplateChoice::Given { .. } => Ok(None),
-            TemplateChoice::Made(how) => Ok(self.make(how, records, observer)?.ok()),
+            TemplateChoice::Made(how) => match self.make(how, records, observer)? {
+                TemplateState::Ready(history) => Ok(Some(history)),
+                TemplateState::Missing(_) => Ok(None),
+            },
         }
     }
 
@@ -291,7 +294,7 @@ impl Study {
         how: &MadeTemplate,
         records: &dyn Records,
         observer: &dyn Observer,
-    ) -> Result<Result<TemplateHistory, Step>, StudyError> {
+    ) -> Result<TemplateState, StudyError> {
         let (mut template, mut rounds) = (self.first.clone(), Vec::new());
         while rounds.len() < how.max_rounds.max(1) {
             let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template, None, Some(k))).collect();
@@ -301,7 +304,8 @@ impl Study {
             if !tasks.is_empty() {
                 let finished = n - tasks.len();
                 let purpose = Purpose::Template(rounds.len() + 1);
-                return Ok(Err(Step::Match { purpose, template: Box::new(template), tasks, finished }));
+                let step = Step::Match { purpose, template: Box::new(template), tasks, finished };
+                return Ok(TemplateState::Missing(step));
             }
             let (next, round) = averaged(&template, &all, records, observer)?;
             let is_last = round.moved_share < how.tolerance;
@@ -311,7 +315,7 @@ impl Study {
                 break;
             }
         }
-        Ok(Ok(TemplateHistory { template, rounds }))
+        Ok(TemplateState::Ready(TemplateHistory { template, rounds }))
     }
 
     /// A ring of subjects, spread over the cohort, with the matches around it.
@@ -333,6 +337,12 @@ impl Study {
         let backward = (0..ring.len()).map(|k| add(Some(next(k)), Some(ring[k]))).collect();
         Cycles { ring, to_template, forward, backward }
     }
+}
+
+/// A template that is made from the group, or the step that it still needs.
+enum TemplateState {
+    Ready(TemplateHistory),
+    Missing(Step),
 }
 
 /// The tasks without duplicates: subjects with equal files share a record.

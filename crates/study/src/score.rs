@@ -15,7 +15,7 @@ use crate::model::ShapeModel;
 use crate::normative::{Bound, Calibration, LeaveOneOut, Norm, largest};
 use crate::plan::{Matched, Records, Study};
 use crate::settings::{Measure, Settings};
-use crate::subjects::{SubjectFindings, SubjectOutcome};
+use crate::subjects::SubjectOutcome;
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::gifti::write_gifti;
@@ -201,9 +201,21 @@ pub fn score(
     let points = folder.get(&matched.keys[k])?.map(|record| record.points).unwrap_or_default();
     let surface = crate::mirror::deformed_template(template, crate::align::points(&points), study.is_mirrored(k))?;
     let (_, distance) = model.score(&alignment, &shape_on_mean(study, &matched, folder, &alignment, k)?);
-    let mut summary = summary(&subjects[k], &left_out, &scores, within, group.len());
-    (summary.mahalanobis_squared, summary.unusual_p) = (distance, model.others_p.first().copied().unwrap_or(1.0));
-    summary.regions = regions(&mean, surface.vertices(), &scores, &deviation_mm, summary.bound.score);
+    let (facts, largest_score, bound) = (&subjects[k].facts, largest(&scores), left_out.bound(LEVEL));
+    let summary = ScoreSummary {
+        within: within.cloned(),
+        members: group.len(),
+        reliable: facts.reliable,
+        reasons: facts.reasons.clone(),
+        residual_mm: facts.residual_mm,
+        mahalanobis_squared: distance,
+        unusual_p: model.others_p.first().copied().unwrap_or(1.0),
+        largest_score,
+        largest_score_p: left_out.p_of_largest(largest_score),
+        regions: regions(&mean, surface.vertices(), &scores, &deviation_mm, bound.score),
+        bound,
+        calibration: left_out.calibration.clone(),
+    };
     Ok(SubjectScore { summary, scores, deviation_mm, surface, mean })
 }
 
@@ -258,30 +270,6 @@ fn level_of<'a>(cohort: &'a Cohort, within: Option<&Subgroup>) -> Result<Members
             None => Err(fault(format!("{covariate} has no level {level}; it has {}", levels.join(", ")))),
             Some(level) => Ok(Box::new(move |k| of[k] == Some(level))),
         },
-    }
-}
-
-fn summary(
-    subject: &SubjectFindings,
-    left_out: &LeaveOneOut,
-    scores: &[f64],
-    within: Option<&Subgroup>,
-    members: usize,
-) -> ScoreSummary {
-    let most = largest(scores);
-    ScoreSummary {
-        within: within.cloned(),
-        members,
-        reliable: subject.facts.reliable,
-        reasons: subject.facts.reasons.clone(),
-        residual_mm: subject.facts.residual_mm,
-        mahalanobis_squared: 0.0,
-        unusual_p: 1.0,
-        largest_score: most,
-        largest_score_p: left_out.p_of_largest(most),
-        bound: left_out.bound(LEVEL),
-        calibration: left_out.calibration.clone(),
-        regions: Vec::new(),
     }
 }
 

@@ -66,6 +66,15 @@ impl Flag {
     }
 }
 
+/// Size of a label of one subject.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LabelSize {
+    /// Its area on the surface, mm².
+    pub area_mm2: f64,
+    /// Its volume, mm³, if the input was a label volume.
+    pub volume_mm3: Option<f64>,
+}
+
 /// Findings for one subject.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SubjectFindings {
@@ -87,6 +96,6 @@ pub struct SubjectFindings {
     pub flags: Vec<Flag>,
     /// Urgency of looking at the subject; larger is more urgent.
     pub urgency: f64,
-    /// Area of each label on the surface, mm², and its volume, mm³, if the input was a volume.
-    pub labels: BTreeMap<u32, (f64, Option<f64>)>,
+    /// Size of each label.
+    pub labels: BTreeMap<u32, LabelSize>,
 }

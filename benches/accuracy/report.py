@@ -13,6 +13,7 @@ import report_shapes
 import scores
 import verdicts
 from cases import CUT_SHARE, NOISE_SHARE, ROBUSTNESS
+from peer_answers import write_peers
 from peers import PEERS
 from plan import ABLATION, DEFAULT, MANY, OURS, ROBUST_OURS, ROBUST_PEERS, ablated, read_variants
 from reach import to_reach
@@ -22,9 +23,9 @@ from tables import TITLES, mean_text, spread_text, table, title
 ENV_NOTE = "target/accuracy-env/missing-peers.txt"
 
 def write(found, out):
-    with open(os.path.join(out, "accuracy.json"), "w") as file:
-        json.dump(rounded(flattened(found)), file, separators=(",", ":"))
-        file.write("\n")
+    write_json(os.path.join(out, "pairs.json"), rounded(flattened(found)))
+    write_json(os.path.join(out, "provenance.json"), found["provenance"])
+    write_peers(os.path.join(out, "peers.csv"), found["records"])
     with open(os.path.join(out, "accuracy.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["set", "method", "figure", "n", "mean", "low95", "high95", "median", "worst"])
@@ -35,6 +36,12 @@ def write(found, out):
                     table.writerow([kind, method, figure, *row])
     with open(os.path.join(out, "README.md"), "w") as file:
         file.write(markdown(found))
+
+
+def write_json(path, document):
+    with open(path, "w") as file:
+        json.dump(document, file, separators=(",", ":"))
+        file.write("\n")
 
 
 def rounded(value):
@@ -79,7 +86,7 @@ def markdown(found):
         "as their tables say).\n",
         "Each figure is the mean over pairs with its bootstrap 95 % interval; where three stand, they are the mean, "
         "the median and the worst. An edge is the mean edge length of the target. `accuracy.csv` has all figures, "
-        "`accuracy.json` each pair; `benches/accuracy/README.md` says how they are made."
+        "`pairs.json` (not in the repository) each pair; `benches/accuracy/README.md` says how they are made."
         + taken_text(found)
         + "\n",
         main_table(found),

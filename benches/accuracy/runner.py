@@ -15,6 +15,7 @@ import numpy as np
 
 import geometry
 import scores
+from peer_answers import read_peers
 from peers import PEERS
 from plan import cores_of, our_parameters
 
@@ -111,12 +112,11 @@ class Runner:
         """Copies answers of peers from a report with the same peers, unless they are already here. Not copied: answers
         with reported times, which are comparable on one machine only, and answers whose maps in both directions are
         composed."""
-        with open(os.path.join(report, "accuracy.json")) as file:
-            document = json.load(file)
-        made_by = document["provenance"].get("peers", "not named")
+        with open(os.path.join(report, "provenance.json")) as file:
+            made_by = json.load(file).get("peers", "not named")
         if made_by != peer_fingerprint():
             raise ValueError(f"the peers of {report} are not these: {made_by}, now {peer_fingerprint()}")
-        known = {(record["method"], record["case"]): record for record in document["records"]}
+        known = read_peers(os.path.join(report, "peers.csv"))
         for method, case, timed in tasks:
             is_missing = method in PEERS and self.record(method, case) is None
             if is_missing and not timed and not case.startswith("swapped_") and (method, case) in known:

@@ -11,17 +11,18 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Name of the file in the folder.
-const FILE: &str = "accuracy.json";
+/// Names of the files in the folder.
+const PROVENANCE: &str = "provenance.json";
+const FIGURES_FILE: &str = "accuracy.csv";
 
-/// The fields that are read from the file.
-#[derive(Debug, Deserialize)]
+/// The contents of both files.
+#[derive(Debug)]
 struct Accuracy {
     provenance: Provenance,
-    /// The order of the methods.
-    records: Vec<Record>,
-    /// By `method | set of pairs`: figures by name.
-    summaries: BTreeMap<String, Option<BTreeMap<String, serde_json::Value>>>,
+    /// Methods in the order of the table.
+    methods: Vec<String>,
+    /// By method, set of pairs and figure.
+    spreads: BTreeMap<(String, String, String), Spread>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -33,16 +34,23 @@ struct Provenance {
     cases_a_set: u64,
 }
 
+/// A row of the table of figures.
 #[derive(Debug, Deserialize)]
-struct Record {
+struct Row {
+    set: String,
     method: String,
+    figure: String,
+    #[serde(flatten)]
+    spread: Spread,
 }
 
 /// Statistics over the pairs of a set; `low` and `high` bound the 95 % bootstrap confidence interval of the mean.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 struct Spread {
     mean: f64,
+    #[serde(rename = "low95")]
     low: f64,
+    #[serde(rename = "high95")]
     high: f64,
     median: f64,
 }
@@ -86,28 +94,34 @@ const FIGURES: [Figure; 10] = [
 /// The section, from the folder that `make accuracy` wrote.
 ///
 /// # Errors
-/// [`ExperimentError::File`] if its `accuracy.json` cannot be read or parsed.
+/// [`ExperimentError::File`] if `provenance.json` or `accuracy.csv` cannot be read or parsed.
 pub(super) fn section(folder: &Path) -> Result<Section, ExperimentError> {
-    let path = folder.join(FILE);
-    let text = fs::read_to_string(&path);
-    let parsed = text.and_then(|text| serde_json::from_str::<Accuracy>(&text).map_err(io::Error::from));
-    match parsed {
-        Ok(accuracy) => Ok(written(&accuracy)),
-        Err(source) => Err(ExperimentError::File { path, source }),
+    let (path, table) = (folder.join(PROVENANCE), folder.join(FIGURES_FILE));
+    let read = |path: &Path| {
+        fs::read_to_string(path).map_err(|source| ExperimentError::File { path: path.to_owned(), source })
+    };
+    let provenance = serde_json::from_str(&read(&path)?)
+        .map_err(|error| ExperimentError::File { path, source: io::Error::from(error) })?;
+    let mut accuracy = Accuracy { provenance, methods: Vec::new(), spreads: BTreeMap::new() };
+    for row in csv::Reader::from_reader(read(&table)?.as_bytes()).deserialize() {
+        let Row { set, method, figure, spread } =
+            row.map_err(|error| ExperimentError::File { path: table.clone(), source: io::Error::other(error) })?;
+        if !accuracy.methods.contains(&method) && !method.contains(':') {
+            accuracy.methods.push(method.clone());
+        }
+        accuracy.spreads.insert((method, set, figure), spread);
     }
+    Ok(written(&accuracy))
 }
 
 fn written(accuracy: &Accuracy) -> Section {
-    let mut methods: Vec<&str> = Vec::new();
-    for record in &accuracy.records {
-        if !methods.contains(&record.method.as_str()) && !record.method.contains(':') {
-            methods.push(&record.method);
-        }
-    }
-    let rows: Vec<Vec<Cell>> = methods
+    let rows: Vec<Vec<Cell>> = accuracy
+        .methods
         .iter()
         .map(|method| {
-            std::iter::once(Cell::text(*method)).chain(FIGURES.iter().map(|f| cell(accuracy, method, f))).collect()
+            std::iter::once(Cell::text(method.as_str()))
+                .chain(FIGURES.iter().map(|f| cell(accuracy, method, f)))
+                .collect()
         })
         .collect();
     let mut columns = vec![Column::plain("method")];
@@ -137,8 +151,7 @@ fn written(accuracy: &Accuracy) -> Section {
 }
 
 fn spread(accuracy: &Accuracy, method: &str, set: &str, key: &str) -> Option<Spread> {
-    let figures = accuracy.summaries.get(&format!("{method} | {set}"))?.as_ref()?;
-    serde_json::from_value(figures.get(key)?.clone()).ok()
+    accuracy.spreads.get(&(method.to_owned(), set.to_owned(), key.to_owned())).copied()
 }
 
 fn cell(accuracy: &Accuracy, method: &str, figure: &Figure) -> Cell {
@@ -154,8 +167,7 @@ fn cell(accuracy: &Accuracy, method: &str, figure: &Figure) -> Cell {
 /// Compares the default method with the best other tool.
 fn finding(accuracy: &Accuracy) -> String {
     const OURS: [&str; 2] = ["balanced", "rigid"];
-    let names: std::collections::BTreeSet<&str> =
-        accuracy.records.iter().map(|r| r.method.as_str()).filter(|m| !m.contains(':') && !OURS.contains(m)).collect();
+    let names: Vec<&str> = accuracy.methods.iter().map(String::as_str).filter(|m| !OURS.contains(m)).collect();
     let sentence = |set: &str, key: &str, what: &str| {
         let ours = spread(accuracy, OURS[0], set, key)?.mean;
         let peer = names
@@ -183,27 +195,26 @@ fn finding(accuracy: &Accuracy) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
 
-    fn spread_of(mean: f64) -> serde_json::Value {
-        json!({"n": 10, "mean": mean, "low": mean - 0.01, "high": mean + 0.01, "median": mean, "worst": 0.0})
-    }
+    const WRITTEN: &str = "{\"date\": \"2026-01-31\", \"program\": \"homolog 0.1.0\", \"command\": \"make accuracy CASES=10\", \
+                           \"machine\": \"two cores\", \"cases_a_set\": 10, \"packages\": {}}";
 
     #[test]
     fn the_section_repeats_the_table_and_names_the_best_other_method() {
         let folder = tempfile::tempdir().unwrap();
-        let file = json!({
-            "provenance": {"date": "2026-01-31", "program": "homolog 0.1.0", "command": "make accuracy CASES=10",
-                           "machine": "two cores", "cases_a_set": 10, "packages": {}},
-            "records": [{"method": "balanced"}, {"method": "variant: without"}, {"method": "icp"}, {"method": "bcpd"}],
-            "summaries": {
-                "balanced | real_warp4": {"w1": spread_of(0.9), "seconds": spread_of(0.5), "status": {"answered": 10}},
-                "icp | real_warp4": {"w1": spread_of(0.3)},
-                "bcpd | real_warp4": {"w1": spread_of(0.8), "err_mm": null},
-                "bcpd | real_warp8": null,
-            },
-        });
-        fs::write(folder.path().join(FILE), file.to_string()).unwrap();
+        fs::write(folder.path().join(PROVENANCE), WRITTEN).unwrap();
+        let row = |set, method, figure, mean: f64| {
+            format!("{set},{method},{figure},10,{mean},{},{},{mean},0\n", mean - 0.01, mean + 0.01)
+        };
+        let table = [
+            "set,method,figure,n,mean,low95,high95,median,worst\n".to_owned(),
+            row("real_warp4", "balanced", "w1", 0.9),
+            row("real_warp4", "balanced", "seconds", 0.5),
+            row("real_warp4", "variant: without", "w1", 0.95),
+            row("real_warp4", "icp", "w1", 0.3),
+            row("real_warp4", "bcpd", "w1", 0.8),
+        ];
+        fs::write(folder.path().join(FIGURES_FILE), table.concat()).unwrap();
         let section = section(folder.path()).unwrap();
         assert_eq!(
             section.finding,
@@ -221,8 +232,10 @@ mod tests {
     fn a_file_in_another_format_is_refused_by_name() {
         let folder = tempfile::tempdir().unwrap();
         let absent = section(folder.path()).unwrap_err().to_string();
-        assert!(absent.contains(FILE), "{absent}");
-        fs::write(folder.path().join(FILE), "{\"records\": 3}").unwrap();
-        assert!(section(folder.path()).is_err());
+        assert!(absent.contains(PROVENANCE), "{absent}");
+        fs::write(folder.path().join(PROVENANCE), WRITTEN).unwrap();
+        fs::write(folder.path().join(FIGURES_FILE), "set,method\nreal_warp4,balanced\n").unwrap();
+        let refused = section(folder.path()).unwrap_err().to_string();
+        assert!(refused.contains(FIGURES_FILE), "{refused}");
     }
 }

@@ -2,14 +2,15 @@
 #   build          target/release/homolog
 #   demo           build, start the service, match a pair over HTTP, show the result; SOURCE=a.nii.gz TARGET=b.nii.gz: your own
 #                  pair; KEEP=1: leave the service running
-#   test           the tests, but for the campaigns below; lists what it skipped and why; HOMOLOG_REAL_DATA=dir: the folder of
-#                  real data (data/ unless set)
+#   test           the tests, but for the campaigns below; lists what it skipped and why
 #   check          words, packages, formatting, lints, documentation, unused dependencies, licenses and sources
 #   api            regenerate api/ and docs/parameters.md
 #   client         target/wheels: the Python package with this machine's program in it
 #   dashboard      build the page of the dashboard, dashboard/dist, with node
 #
 # Campaigns of tests
+#   long           tests that measure or attack: predicted memory and prices, every published method, hostile input, PostgreSQL, real
+#                  data: a quarter of an hour; HOMOLOG_REAL_DATA=dir: the folder of real data (data/ unless set)
 #   faults         processes killed, databases stopped, disks filled: an hour; SHORT=1: minutes; TEST=a06: the test of that name,
 #                  a_killed_: 200 kills of children and 200 of the service
 #   contract       a service on each store against its OpenAPI document, with schemathesis; EXAMPLES=50: requests an operation
@@ -19,9 +20,9 @@
 #   fuzz           coverage-guided fuzzing of the readers, or of requests: PART=json, form, headers, query or token; FOR=600:
 #                  seconds; WITHIN=10: seconds an input may take (2 unless set); needs a nightly toolchain
 #   soak           an hour of mixed load with faults; SECONDS=600: shorter; the record is target/soak.md
-#   memory         attack the service in a memory group, or measure its memory without one; SECONDS=60; target/memory.md
 #
 # Before a release
+#   memory         attack the service in a memory group, or measure its memory without one; SECONDS=60; target/memory.md
 #   properties     the property tests with new random inputs; RUNS=20: seeds
 #   msrv           build with the oldest supported toolchain, which Cargo.toml states; needs rustup
 #   public-api     write the public items of the library crates into api/rust; `scripts/public-api check` compares
@@ -50,7 +51,7 @@ SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
 .PHONY: help build demo test check api client dashboard
-.PHONY: faults contract readers answers peers-read fuzz soak memory
+.PHONY: long faults contract readers answers peers-read fuzz soak memory
 .PHONY: properties msrv public-api advisories sbom screenshots pictures
 .PHONY: accuracy experiment methods energies thresholds study study-others study-taxa validate-study study-env bench bench-service
 
@@ -91,6 +92,10 @@ demo: build
 test:
 	@scripts/setup test
 	@CARGO="$(CARGO)" scripts/test
+
+long:
+	@scripts/setup test
+	@CARGO="$(CARGO)" scripts/test long
 
 faults:
 	@scripts/setup test

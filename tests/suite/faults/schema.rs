@@ -39,7 +39,7 @@ async fn a12_an_older_program_refuses_a_newer_schema(backend: Backend) {
         .await;
     for role in ["serve", "worker"] {
         let Err(NotStarted(log)) = site.node(role, &[], &[]) else { panic!("an old program runs on newer tables") };
-        assert!(log.contains("database") && log.contains("99999999"), "it says why: {log}");
+        assert!(log.contains("newer release (migration 99999999)"), "it says why: {log}");
     }
     // Nothing was changed: the newer program continues to work.
     database.execute("DELETE FROM _sqlx_migrations WHERE version = 99999999").await;

@@ -192,6 +192,10 @@ pub(super) fn failure(error: &StudyError) -> Failure {
             tracing::error!(cause = %source, "a file of a study cannot be read");
             internal_error()
         }
+        StudyError::Internal(cause) => {
+            tracing::error!(cause, "a study cannot be computed");
+            internal_error()
+        }
         StudyError::Damaged { .. } | StudyError::Changed { .. } | StudyError::Interrupted => internal_error(),
     }
 }
@@ -493,7 +497,7 @@ fn planned(
 }
 
 fn json(value: &impl Serialize) -> Result<Vec<u8>, StudyError> {
-    serde_json::to_vec(value).map_err(|error| StudyError::Settings(format!("a plan cannot be written: {error}")))
+    serde_json::to_vec(value).map_err(|error| StudyError::Internal(format!("a plan cannot be written: {error}")))
 }
 
 /// The products of a folder that is finished.

@@ -146,7 +146,7 @@ mod tests {
         let own = residuals(&mesh, &labeling);
         let found =
             identify_outliers(&mesh.edge_graph(), &neighborhoods(&mesh, 2).reach(), &labeling, &own, 100.0).unwrap();
-        assert_eq!(found[100], Some(OutlierReason::Neighborhood));
+        assert_eq!(found[100], OutlierReason::Neighborhood);
         assert_eq!(found.iter().filter(|r| **r != OutlierReason::None).count(), 1);
     }
 

@@ -15,9 +15,11 @@ mod files;
 mod health;
 mod inspect;
 mod interrupt;
+mod match_args;
 mod match_many;
 mod match_pair;
 mod output;
+mod pair;
 mod parameter_table;
 mod parameters;
 mod peak_memory;
@@ -25,6 +27,7 @@ mod phantom;
 mod progress;
 mod serve;
 mod study;
+mod study_run;
 mod study_score;
 mod summary;
 mod used;
@@ -60,7 +63,7 @@ enum Command {
     Config(config::ConfigArgs),
     Backup(backup::BackupArgs),
     Restore(backup::RestoreArgs),
-    Match(match_pair::MatchArgs),
+    Match(match_args::MatchArgs),
     Study(study::StudyArgs),
     Inspect(inspect::InspectArgs),
     Phantom(phantom::PhantomArgs),

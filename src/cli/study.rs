@@ -3,10 +3,9 @@
 
 use super::error::CliError;
 use super::files::{OutputFolder, file_name};
-use super::interrupt::Interrupt;
 use super::output::{note, print};
 use super::parameters::ParameterArgs;
-use super::progress::{Progress, WithoutTerminal};
+use super::study_run::{Display, document, said, threads};
 use super::study_score::{self, ScoreArgs};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Subcommand};
@@ -15,8 +14,7 @@ use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, find};
 use homolog_study::folder::{Decision, Folder, read_decisions};
-use homolog_study::matching::StudyObserver;
-use homolog_study::output::{StudyDocument, read_document, write};
+use homolog_study::output::write;
 use homolog_study::plan::Study;
 use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
 use homolog_study::sides::template_side;
@@ -141,17 +139,6 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     }
 }
 
-/// The number of threads, and a pool of them.
-///
-/// # Errors
-/// [`CliError::Failed`] if they cannot be started.
-pub(super) fn threads(asked: Option<std::num::NonZeroUsize>) -> Result<(usize, rayon::ThreadPool), CliError> {
-    let threads = asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.map_err(|error| CliError::Failed(format!("cannot start {threads} threads: {error}")))?;
-    Ok((threads, pool))
-}
-
 /// A requested study.
 struct Asked {
     cohort: Cohort,
@@ -159,41 +146,6 @@ struct Asked {
     hashes: Vec<String>,
     /// Decisions of a study that is computed again.
     decisions: Option<Vec<Decision>>,
-}
-
-/// The error of the command for that of a study.
-pub(super) fn said(error: StudyError) -> CliError {
-    match error {
-        StudyError::Interrupted => CliError::Interrupted,
-        StudyError::File { what: "write", path, source } => CliError::Write { path, source },
-        StudyError::Cohort(_)
-        | StudyError::Settings(_)
-        | StudyError::Start { .. }
-        | StudyError::TooFewMatches { .. }
-        | StudyError::File { .. }
-        | StudyError::Changed { .. } => CliError::BadInput(error.to_string()),
-        error => CliError::Failed(error.to_string()),
-    }
-}
-
-/// The document of a study, with a note if another build computed it.
-///
-/// # Errors
-/// [`CliError::BadInput`].
-pub(super) fn document(path: &Path) -> Result<StudyDocument, CliError> {
-    let bytes = fs::read(path);
-    let bytes = bytes.map_err(|error| CliError::BadInput(format!("cannot read {}: {error}", path.display())))?;
-    let document = read_document(&bytes);
-    let document = document.map_err(|why| CliError::BadInput(format!("{}: {why}", path.display())))?;
-    if document.version != env!("CARGO_PKG_VERSION") || document.commit != env!("HOMOLOG_COMMIT") {
-        note(&format!(
-            "note: {} was computed with homolog {}, commit {}; this is another build, so that figures may differ",
-            path.display(),
-            document.version,
-            document.commit
-        ));
-    }
-    Ok(document)
 }
 
 fn asked(args: &StudyArgs, given: &Path) -> Result<Asked, CliError> {
@@ -318,26 +270,4 @@ fn summary(found: &Findings) -> String {
         lines.push(format!("{contrast}, {}: smallest {word} {p:.4}", map.measure.name()));
     }
     lines.join("\n")
-}
-
-/// Progress on the standard error.
-pub(super) struct Display {
-    progress: Progress,
-    interrupt: Interrupt,
-}
-
-impl Display {
-    pub(super) fn new() -> Self {
-        Display { progress: Progress::new(WithoutTerminal::Lines), interrupt: Interrupt::listen() }
-    }
-}
-
-impl StudyObserver for Display {
-    fn progress(&self, what: &str, done: usize, of: usize) {
-        self.progress.phase(what);
-        self.progress.fraction(done as f64 / of.max(1) as f64);
-    }
-    fn is_interrupted(&self) -> bool {
-        self.interrupt.is_set()
-    }
 }

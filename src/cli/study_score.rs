@@ -2,7 +2,7 @@
 
 use super::error::CliError;
 use super::output::{note, print};
-use super::study::{Display, document, said, threads};
+use super::study_run::{Display, document, said, threads};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use homolog_contract::input::BodySide;

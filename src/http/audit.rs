@@ -5,8 +5,8 @@
 use super::operations::Operation;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
-use super::router::HttpState;
 use super::shares::Origin;
+use super::state::HttpState;
 use crate::jobs::audit::Recorder;
 use crate::jobs::{AuditEvent, SecretKey, Tenant};
 use axum::extract::Request;

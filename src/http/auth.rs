@@ -5,10 +5,11 @@
 //! the meantime, and a token may expire.
 
 use super::audit::Caller;
+use super::auth_mode::AuthMode;
 use super::problem::Problem;
 use super::problem_table::ProblemKind;
-use super::router::HttpState;
 use super::shares::Origin;
+use super::state::HttpState;
 use super::ticketed::ticket_of;
 use super::tokens::{Bearer, TokenFault};
 use crate::jobs::{Role, Scope, SecretKey, Tenant, Ticket};
@@ -20,15 +21,6 @@ use tokio::time::{Instant, sleep_until};
 /// Longest duration of a stream that was opened with a ticket of a token's owner. The token is not kept, so its
 /// validity cannot be checked again.
 const LONGEST_BY_TOKEN: Duration = Duration::from_secs(3_600);
-
-/// Whether requests are authenticated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-pub enum AuthMode {
-    /// No authentication: every client is the tenant `default` and has every scope.
-    None,
-    /// API keys are required, `Authorization: Bearer hml_…`, or tokens where a provider is set.
-    Keys,
-}
 
 /// The sender of a request, and its rights.
 struct Identity {

@@ -2,43 +2,24 @@
 //! errors that no handler has answered.
 
 use super::audit::{Caller, Recording};
-use super::auth::AuthMode;
+use super::auth_mode::AuthMode;
 use super::operations::Operation;
 use super::parts::Part;
 use super::preferences::{TRACEPARENT, trace_id, traceparent};
 use super::problem::{PROBLEM_JSON, Problem};
 use super::problem_table::ProblemKind;
-use super::router::HttpState;
+use super::request_id::{CURRENT, REQUEST_ID, accepted_id, request_id};
+use super::state::HttpState;
 use crate::spans::{Fact, Span};
 use axum::extract::{MatchedPath, Request, State};
-use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, header};
+use axum::http::{HeaderName, HeaderValue, Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use std::time::{Duration, Instant};
 use tracing::Instrument;
 
-/// The header that carries the id of a request.
-pub(crate) const REQUEST_ID: HeaderName = HeaderName::from_static("x-request-id");
-
 /// The header that tells the sender of a key that the key was not checked, because none is required.
 pub(crate) const AUTHENTICATION: HeaderName = HeaderName::from_static("homolog-authentication");
-
-tokio::task_local! {
-    static CURRENT: String;
-}
-
-/// The id of the request that is being answered.
-pub(crate) fn request_id() -> Option<String> {
-    CURRENT.try_with(Clone::clone).ok()
-}
-
-/// The client's id for its request if it is harmless in a log, else a new one.
-pub(super) fn accepted_id(headers: &HeaderMap) -> String {
-    let offered = headers.get(REQUEST_ID).and_then(|v| v.to_str().ok()).filter(|id| {
-        (1..=128).contains(&id.len()) && id.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_.:".contains(&b))
-    });
-    offered.map_or_else(|| uuid::Uuid::now_v7().to_string(), str::to_owned)
-}
 
 /// Time that a submission may take in addition to its upload: waiting for an upload slot, draining a refused body,
 /// checking and storing two inputs.
@@ -157,17 +138,5 @@ mod tests {
         for made_up in ["BREW", "get", "GET1", "PROPFIND", "CONNECT"] {
             assert_eq!(method_label(&Method::from_bytes(made_up.as_bytes()).unwrap()), "other", "{made_up}");
         }
-    }
-
-    #[test]
-    fn only_harmless_request_ids_are_kept() {
-        let with = |value: &'static str| {
-            let mut headers = HeaderMap::new();
-            headers.insert(REQUEST_ID, HeaderValue::from_static(value));
-            accepted_id(&headers)
-        };
-        assert_eq!(with("abc-1.2:3_x"), "abc-1.2:3_x");
-        assert_ne!(with("two words"), "two words");
-        assert_ne!(with(""), "");
     }
 }

@@ -1,15 +1,11 @@
-//! Web pages of other origins, and `OPTIONS` on every route.
+//! The origins whose web pages may use the service.
 //!
 //! Cross-origin requests are refused unless the operator lists the origin (`--cors-origin`); browsers then let its
 //! pages call this service and read the answers. Cookies are never used, so pages authenticate with keys or tickets, as
 //! other clients do.
 
-use super::context::REQUEST_ID;
-use super::router::HttpState;
-use axum::extract::{Request, State};
-use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri, header};
-use axum::middleware::Next;
-use axum::response::{IntoResponse, Response};
+use super::request_id::REQUEST_ID;
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, Uri, header};
 use std::time::Duration;
 use tower_http::cors::{AllowOrigin, CorsLayer};
 
@@ -88,28 +84,6 @@ impl CorsOrigins {
         };
         (!self.0.is_empty()).then(layer)
     }
-}
-
-/// Answers `OPTIONS` with the methods of the route. If an origin is listed, the layer of [`CorsOrigins`] handles
-/// preflight requests of browsers.
-pub(crate) async fn answer_options(State(state): State<HttpState>, mut request: Request, next: Next) -> Response {
-    let is_preflight = state.cors != CorsOrigins::default()
-        && request.headers().contains_key(header::ORIGIN)
-        && request.headers().contains_key(header::ACCESS_CONTROL_REQUEST_METHOD);
-    if request.method() != Method::OPTIONS || is_preflight {
-        return next.run(request).await;
-    }
-    // No route has this method, so the router adds the methods that the route has.
-    *request.method_mut() = Method::TRACE;
-    let response = next.run(request).await;
-    if response.status() != StatusCode::METHOD_NOT_ALLOWED {
-        return response;
-    }
-    let mut answer = StatusCode::NO_CONTENT.into_response();
-    answer.headers_mut().extend(response.headers().iter().map(|(name, value)| (name.clone(), value.clone())));
-    answer.headers_mut().remove(header::CONTENT_TYPE);
-    answer.headers_mut().remove(header::CONTENT_LENGTH);
-    answer
 }
 
 #[cfg(test)]

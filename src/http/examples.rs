@@ -2,8 +2,8 @@
 //!
 //! JSON examples are files under `api/examples`, taken from a real run; a test validates each against its schema.
 
+use super::operation_description as description;
 use super::operations::{OPERATIONS, Operation};
-use super::parts;
 use super::problem_table::ProblemKind;
 use super::ticketed::TICKET;
 use axum::http::StatusCode;
@@ -143,13 +143,13 @@ fn complete_operation(row: &Operation, operation: &mut Described) {
             .required(Required::False)
             .schema(Some(Object::with_type(Type::String)))
             .description(Some("A ticket of `/v1/tickets`, instead of an API key"));
-        parts::add(operation, ticket.build());
+        description::add(operation, ticket.build());
     }
     for (status, description) in ALWAYS {
         if [StatusCode::UNAUTHORIZED, StatusCode::TOO_MANY_REQUESTS].contains(&status) && row.scope.is_none() {
             continue;
         }
-        parts::problem(operation, status.as_u16(), description);
+        description::problem(operation, status.as_u16(), description);
     }
     for (status, response) in &mut operation.responses.responses {
         let RefOr::T(response) = response else { continue };

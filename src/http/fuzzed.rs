@@ -7,15 +7,15 @@
 use super::accept::preferred;
 use super::conditional::{etag_of, is_fresh};
 use super::content::{Stored, Wanted};
-use super::context::accepted_id;
 use super::cors::CorsOrigins;
 use super::hosts::AllowedHosts;
 use super::pace::LeastRate;
 use super::preferences::{idempotency_key, trace_id, traceparent, wanted_wait};
 use super::problem::Problem;
 use super::query::QueryString;
-use super::router::HttpLimits;
+use super::request_id::accepted_id;
 use super::routes::{batches, events, jobs, keys, meshes, webhooks};
+use super::state::HttpLimits;
 use super::strict_json::parse;
 use super::submission::{self, SubmissionDocument};
 use super::tokens::{KeySetSource, TokenSettings, Tokens};

@@ -1,22 +1,15 @@
-//! Host validation against DNS rebinding.
+//! The hosts that requests may name, against DNS rebinding.
 //!
 //! Without authentication, everybody who can connect may do everything, including a web page in a browser that can
 //! connect, under a host name that resolves to the address of the service (DNS rebinding). The browser sends that name
 //! in `Host` and the origin of the page in `Origin`. Both must therefore name this machine, or a name that the operator
 //! allows.
 //!
-//! This applies to every address, because inside a container the service listens on all of them. The paths of probes
-//! are not checked: supervisors name the service by any address and learn only that it is alive.
+//! This applies to every address, because inside a container the service listens on all of them.
 
 use super::cors::CorsOrigins;
-use super::problem::Problem;
-use super::problem_table::ProblemKind;
-use super::router::HttpState;
-use axum::extract::{Request, State};
 use axum::http::uri::Authority;
 use axum::http::{HeaderMap, Uri, header};
-use axum::middleware::Next;
-use axum::response::{IntoResponse, Response};
 use std::net::IpAddr;
 
 /// Host names that are allowed besides `localhost` and the loopback addresses.
@@ -24,9 +17,6 @@ use std::net::IpAddr;
 pub struct AllowedHosts {
     names: Vec<String>,
 }
-
-/// Paths that any host may name.
-const PROBES: [&str; 2] = ["/healthz", "/readyz"];
 
 impl AllowedHosts {
     /// Allows these names, without port; case does not matter.
@@ -62,19 +52,6 @@ fn canonical(name: &str) -> String {
     let name = name.trim();
     let bare = name.strip_prefix('[').and_then(|n| n.strip_suffix(']')).unwrap_or(name);
     bare.strip_suffix('.').unwrap_or(bare).to_ascii_lowercase()
-}
-
-/// Refuses requests that name another host, before any other check.
-pub(crate) async fn check_host(State(state): State<HttpState>, request: Request, next: Next) -> Response {
-    match &state.hosts {
-        Some(hosts)
-            if !PROBES.contains(&request.uri().path())
-                && !hosts.allow(request.uri(), request.headers(), &state.cors) =>
-        {
-            Problem::new(ProblemKind::HostNotAllowed).into_response()
-        }
-        _ => next.run(request).await,
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Error answers as problem documents (RFC 9457), and how errors of the use cases map to them.
 
-use super::context::request_id;
 use super::problem_table::ProblemKind;
+use super::request_id::request_id;
 use crate::jobs::{Failure, JobError, StudyState, SubmitError};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};

@@ -1,7 +1,7 @@
 //! A stock that requests share: slots, bytes of memory, streams. Each owner holds at most a share of it, so that no
 //! client can exhaust it.
 
-use super::auth::AuthMode;
+use super::auth_mode::AuthMode;
 use crate::jobs::Tenant;
 use axum::http::Extensions;
 use std::collections::HashMap;

@@ -4,7 +4,7 @@ use super::input_wire::{Content, SubmittedInputDocument, input};
 use super::options::{SentOptions, submission_document};
 use super::problem::{FieldError, Problem};
 use super::problem_table::ProblemKind;
-use super::router::{HttpLimits, HttpState};
+use super::state::{HttpLimits, HttpState};
 use super::strict_json::{FORMER_TAGS, Parameters, SentTags, parse, parse_parameters, tags_of};
 use super::upload::{LimitedBody, name_hint, read_field};
 use crate::jobs::documents::PartialParameters;

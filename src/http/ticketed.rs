@@ -3,7 +3,7 @@
 
 use super::operations::OPERATIONS;
 use super::problem::Problem;
-use super::router::HttpState;
+use super::state::HttpState;
 use crate::jobs::{JobId, Ticket};
 use axum::extract::MatchedPath;
 use axum::http::request::Parts;

@@ -29,6 +29,7 @@ mod jobs;
 mod jobs_support;
 mod keys;
 mod labels;
+mod layout;
 mod long_polls;
 mod metrics;
 mod numbering;
@@ -46,6 +47,8 @@ mod scheduling;
 mod schemathesis;
 mod server;
 mod service;
+#[path = "../layout/mod.rs"]
+mod source_tree;
 mod spans;
 mod store;
 mod store_records;

@@ -10,7 +10,7 @@ use crate::http::options::submission_document;
 use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::router::HttpState;
+use crate::http::state::HttpState;
 use crate::http::strict_json::{SentTags, objects, tags_of};
 use crate::http::submission::{SentFiles, check_options, referred};
 use crate::http::upload::LimitedBody;

@@ -6,7 +6,7 @@ use crate::http::conditional::{is_fresh, not_modified, respond};
 use crate::http::content::{Counted, Stored};
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::router::HttpState;
+use crate::http::state::HttpState;
 use crate::http::submission::media_type;
 use crate::http::upload::{LimitedBody, name_hint};
 use crate::http::wire::{MeshDocument, MeshListDocument};

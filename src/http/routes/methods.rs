@@ -2,7 +2,7 @@
 
 use crate::http::problem::Problem;
 use crate::http::problem_table::ProblemKind;
-use crate::http::router::HttpState;
+use crate::http::state::HttpState;
 use crate::jobs::documents::MatchParameters;
 use crate::jobs::engine::MethodDescription;
 use axum::Json;

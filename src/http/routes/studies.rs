@@ -9,8 +9,8 @@ use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::representation::as_page;
-use crate::http::router::HttpState;
 use crate::http::shares::SharePermit;
+use crate::http::state::HttpState;
 use crate::http::study_wire::{
     StudyChangeDocument, StudyDocument, StudyForm, StudyListDocument, StudyProgressDocument, StudyResultDocument,
     StudySubjectDocument, StudySubmissionDocument,

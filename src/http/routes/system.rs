@@ -1,9 +1,8 @@
 //! Liveness, readiness, metrics, the OpenAPI document and the problem types.
 
-use crate::http::openapi;
 use crate::http::problem::Problem;
 use crate::http::problem_table::ProblemKind;
-use crate::http::router::HttpState;
+use crate::http::state::HttpState;
 use crate::http::wire::{HealthDocument, ProblemTypeDocument, ReadinessDocument};
 use crate::jobs::JobError;
 use axum::Json;
@@ -82,13 +81,13 @@ pub(crate) async fn metrics(State(state): State<HttpState>) -> Response {
     get, path = "/openapi.json",
     responses((status = 200, description = "OpenAPI 3.1", content_type = "application/json", body = Object))
 )]
-pub(crate) async fn openapi_json() -> Result<Response, Problem> {
+pub(crate) async fn openapi_json(State(state): State<HttpState>) -> Result<Response, Problem> {
     // The document never changes while the program runs, and generating it takes far longer than sending it.
     static DOCUMENT: OnceLock<String> = OnceLock::new();
     let text = match DOCUMENT.get() {
         Some(made) => made,
         None => {
-            let made = openapi::openapi_json().map_err(|e| Problem::internal(&e))?;
+            let made = (state.document)().map_err(|e| Problem::internal(&e))?;
             DOCUMENT.get_or_init(|| made)
         }
     };

@@ -3,7 +3,7 @@
 use crate::http::call::{AuthorizedRequest, PageOf, WebhookId};
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
-use crate::http::router::HttpState;
+use crate::http::state::HttpState;
 use crate::jobs::address::check_url;
 use crate::jobs::job::Cursor;
 use crate::jobs::key::random_secret;

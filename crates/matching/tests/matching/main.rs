@@ -14,4 +14,6 @@ mod scale;
 #[cfg(feature = "comparison")]
 mod second_opinion;
 mod sizes;
+#[path = "../../../../tests/layout/mod.rs"]
+mod source_tree;
 mod symmetric;

@@ -8,10 +8,11 @@ use super::study_engine::{self, StudyStep};
 use super::study_score::{self, ScoreStep};
 use super::{prediction, presentation};
 use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
-use crate::jobs::study::{SCORE_METHOD, STEP_METHOD, ScoreQuestions, StudyDefinition, StudyFault};
+use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault};
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
-    InputSummary, InputView, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
+    InputSummary, InputView, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SCORE_METHOD, STEP_METHOD,
+    SurfaceSize,
 };
 use bytes::Bytes;
 use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};

@@ -691,5 +691,5 @@ pub async fn bind(address: SocketAddr) -> Result<TcpListener, AppError> {
 
 /// The error of a process that cannot use a store.
 pub(crate) fn store_error(what: &'static str, error: &JobError) -> AppError {
-    AppError::Store { what, error: crate::worker::pool::with_sources(error) }
+    AppError::Store { what, error: crate::worker::error_text::with_sources(error) }
 }

@@ -3,6 +3,7 @@
 //! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`];
 //! `study_engine` connects them with `homolog_study`.
 
+use super::file_name::file_name;
 use super::price::PriceLimit;
 use super::study_engine::{self, StudyStep};
 use super::study_score::{self, ScoreStep};
@@ -223,11 +224,6 @@ fn answer(output: RunOutput) -> Result<Answer, Failure> {
         Product { kind: ArtifactKind::Aligned, bytes: write_ply(&aligned) },
     ];
     Ok(Answer { products, verdict: Some(document.verdict()) })
-}
-
-/// A file name that reveals only the format.
-pub(super) fn file_name(hint: &str) -> String {
-    format!("input{hint}")
 }
 
 fn refusal(error: &IntakeError) -> InputRefusal {

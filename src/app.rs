@@ -8,7 +8,8 @@ use crate::jobs::{
     StudyProgression, Tenant, WorkerId,
 };
 use crate::store::artifacts::{FolderArtifacts, S3Artifacts, SealedArtifacts, StoredBlobs};
-use crate::store::encryption::Keyring;
+use crate::store::keyring::Keyring;
+use crate::store::layout::SECRET_KEY_FILE;
 use crate::store::private_files;
 use crate::store::processes::{ProcessRecord, ServeLock};
 use crate::store::reserve;
@@ -36,8 +37,6 @@ const TAKEOVER_TIMEOUT: Duration = Duration::from_secs(10);
 const PROBE_CONNECTIONS: u32 = 1;
 /// Database connections for heartbeats.
 const HEARTBEAT_CONNECTIONS: u32 = 2;
-/// The file in the data directory with the key that seals secrets.
-const SEAL_KEY: &str = "secret.key";
 /// How long open connections may delay the exit of a process after its jobs have ended.
 const DRAIN_TIMEOUT: Duration = Duration::from_secs(5);
 
@@ -517,11 +516,11 @@ pub async fn open_database(settings: &ServiceSettings) -> Result<SqlStore, AppEr
         (Some(path), _) => Some((path.clone(), Seal::read(path))),
         // With a keyring the file is not created, only read, because it may have sealed stored secrets.
         (None, _) if keyring.is_some() => {
-            let path = settings.data_dir.join(SEAL_KEY);
+            let path = settings.data_dir.join(SECRET_KEY_FILE);
             path.exists().then(|| (path.clone(), Seal::read(&path)))
         }
         (None, None) => {
-            let path = settings.data_dir.join(SEAL_KEY);
+            let path = settings.data_dir.join(SECRET_KEY_FILE);
             Some((path.clone(), Seal::read_or_create(&path)))
         }
         // Processes on several machines need the same key, which only the operator can distribute.
@@ -692,5 +691,5 @@ pub async fn bind(address: SocketAddr) -> Result<TcpListener, AppError> {
 
 /// The error of a process that cannot use a store.
 pub(crate) fn store_error(what: &'static str, error: &JobError) -> AppError {
-    AppError::Store { what, error: crate::worker::pool::with_sources(error) }
+    AppError::Store { what, error: crate::worker::error_text::with_sources(error) }
 }

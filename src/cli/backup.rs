@@ -7,6 +7,7 @@ use super::serve::in_runtime;
 use crate::app;
 use crate::config::ServiceSettings;
 use crate::store::backup::{self, BackupError, Manifest};
+use crate::store::layout::SECRET_KEY_FILE;
 use crate::store::sql::SqlStore;
 use std::path::PathBuf;
 
@@ -68,7 +69,7 @@ pub(super) fn back_up(args: &BackupArgs) -> Result<(), CliError> {
         let manifest = backup::back_up(store, &args.service.data_dir, &args.dir, keyring).await?;
         let keys = match args.service.encryption_key_file.is_some() || args.service.encryption_key_command.is_some() {
             true => "the encryption keys",
-            false => "secret.key",
+            false => SECRET_KEY_FILE,
         };
         Ok(format!("backed up {}; keep a copy of {keys} in another place", contents(&manifest)))
     })

@@ -11,7 +11,7 @@ const MAX_URL_BYTES: usize = 2_000;
 /// Checks a URL without resolving its host name: form, scheme, and a literal address.
 ///
 /// # Errors
-/// What is wrong, and what is allowed.
+/// The fault of the URL, or the form that is needed.
 pub fn check_url(text: &str, allow_private: bool) -> Result<Url, &'static str> {
     if text.len() > MAX_URL_BYTES {
         return Err("at most 2000 bytes");

@@ -1,8 +1,7 @@
 //! The conditions under which jobs are stored: room in the queue, and once per idempotency key.
 
-use super::batch::BatchId;
-use super::job::{JobId, Tenant};
-use super::study::StudyId;
+use super::ids::{BatchId, JobId, StudyId};
+use super::job::Tenant;
 use std::time::Duration;
 
 /// The conditions under which a submission is stored.
@@ -46,7 +45,7 @@ pub enum OnceStatus {
     Made(Made),
 }
 
-/// What a request created.
+/// A job, batch or study that a request created.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Made {
     /// A job.

@@ -23,7 +23,7 @@ const AT_ONCE: usize = 200;
 const MAX_ANONYMOUS: u32 = 60;
 const ANONYMOUS_WINDOW: Duration = Duration::from_secs(60);
 
-/// What is recorded of a request.
+/// The record of a request.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AuditEvent {
     /// Tenant of the request; `None` if nobody was authenticated.
@@ -87,7 +87,7 @@ impl AuditRow {
     }
 }
 
-/// What is recorded when rows are pruned.
+/// Action of the row that is recorded when rows are pruned.
 const PRUNED: &str = "prune_audit";
 
 impl AuditEvent {
@@ -129,7 +129,7 @@ impl AuditHead {
     /// The head in the form `POSITION:HASH`.
     pub fn parse(text: &str) -> Option<Self> {
         let (position, hash) = text.split_once(':')?;
-        let is_hash = super::ports::is_hash(hash);
+        let is_hash = super::artifact::is_hash(hash);
         Some(AuditHead { position: position.parse().ok()?, hash: is_hash.then(|| hash.to_owned())? })
     }
 }
@@ -140,7 +140,7 @@ impl std::fmt::Display for AuditHead {
     }
 }
 
-/// What is wrong with a log.
+/// A fault of a log.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum AuditFault {
     /// The row is not there, but later ones are.
@@ -190,7 +190,7 @@ impl Verifier {
     /// Takes the next row.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The first fault of the log, if it is at this row.
     pub fn add(&mut self, row: &AuditRow) -> Result<(), AuditFault> {
         let position = self.last.position + 1;
         if row.position > position {

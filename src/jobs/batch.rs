@@ -1,35 +1,11 @@
 //! Batches: many jobs that are submitted at once and counted together.
 
+use super::ids::BatchId;
 use super::job::{Cursor, Tenant};
 use super::metadata::{ExternalRef, Tags};
 use super::state::JobState;
 use jiff::Timestamp;
 use std::collections::BTreeMap;
-
-/// Identity of a batch: a UUIDv7.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct BatchId(uuid::Uuid);
-
-impl BatchId {
-    /// A new id.
-    pub fn random() -> Self {
-        BatchId(uuid::Uuid::now_v7())
-    }
-
-    /// The id written in `text`, in the usual hyphenated form.
-    pub fn parse(text: &str) -> Option<Self> {
-        if text.len() != 36 {
-            return None;
-        }
-        uuid::Uuid::try_parse(text).ok().map(BatchId)
-    }
-}
-
-impl std::fmt::Display for BatchId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.as_hyphenated().fmt(f)
-    }
-}
 
 /// A batch to be stored.
 #[derive(Debug, Clone, PartialEq)]

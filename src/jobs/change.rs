@@ -1,7 +1,6 @@
 //! The feed of state changes, from which a client catches up after an outage.
 
-use super::batch::BatchId;
-use super::job::JobId;
+use super::ids::{BatchId, JobId};
 use super::state::JobState;
 use jiff::Timestamp;
 

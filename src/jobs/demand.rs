@@ -3,7 +3,7 @@
 //! Predictions only decide whether a job is accepted, when it starts and on how many threads; the result is the same however wrong
 //! they are.
 
-use super::job::JobId;
+use super::ids::JobId;
 use serde::Deserialize;
 use serde_json::Value;
 use std::time::Duration;

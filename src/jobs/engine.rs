@@ -4,11 +4,12 @@
 //! [`Engine::restore`]. Both return a [`Computation`], which holds them in the engine's own types, so that nothing is
 //! parsed again afterwards. The real engine is [`crate::worker::match_engine`]; tests substitute others.
 
+use super::artifact::ArtifactKind;
 use super::demand::{Demand, SurfaceSize};
 use super::documents::Verdict;
+pub use super::input_check::{InputRefusal, InputSummary};
 use super::job::Failure;
-use super::ports::ArtifactKind;
-use super::presentation::{PartFormat, PresentError, ResultPart};
+use super::result_part::{PartFormat, PresentError, ResultPart};
 use super::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};
 use bytes::Bytes;
 use homolog_primitives::observe::Observer;
@@ -143,7 +144,7 @@ pub trait OutOfProcess: Send + Sync {
     ) -> Result<Answer, ComputeError>;
 }
 
-/// What a computation in a process of its own may use.
+/// The resources of a computation in a process of its own.
 #[derive(Debug, Clone, Copy)]
 pub struct Allotted<'a> {
     /// Threads.
@@ -194,11 +195,11 @@ pub struct ParameterFault {
     pub pointer: String,
     /// Stable name of the kind of fault.
     pub code: String,
-    /// What is wrong, and what is allowed.
+    /// Description of the fault, with the allowed values.
     pub detail: String,
 }
 
-/// What there is to see of an input.
+/// A view of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum InputView {
@@ -219,31 +220,6 @@ pub struct InputBytes<'a> {
     pub is_target: bool,
 }
 
-/// An input that can be matched.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct InputSummary {
-    /// Vertices of the surface to be matched.
-    pub n_vertices: u32,
-    /// Its faces.
-    pub n_faces: u32,
-    /// Format, topology and repairs.
-    pub report: Value,
-}
-
-/// An input that cannot be matched.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct InputRefusal {
-    /// Stable name of the problem.
-    pub code: String,
-    /// What is wrong, and where.
-    pub detail: String,
-    /// Topology of the refused surface.
-    pub topology: Option<Value>,
-    /// Where the first fault is, mm, if it is at one place.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub place_mm: Option<[f64; 3]>,
-}
-
 /// The two files of a job.
 #[derive(Debug, Clone)]
 pub struct ComputeInputs {
@@ -255,11 +231,11 @@ pub struct ComputeInputs {
     pub target: Vec<u8>,
     /// Extensions of its file name.
     pub target_hint: Option<String>,
-    /// What it is computed for.
+    /// Purpose of the computation.
     pub purpose: Purpose,
 }
 
-/// What a job is computed for.
+/// Purpose of a computation.
 #[derive(Debug, Clone, Default)]
 pub enum Purpose {
     /// Its result.
@@ -283,7 +259,7 @@ pub struct Answer {
 /// One of the blobs of a result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Product {
-    /// What it contains.
+    /// Kind of its content.
     pub kind: ArtifactKind,
     /// Its content.
     pub bytes: Vec<u8>,

@@ -1,7 +1,7 @@
 //! Errors of the use cases and of the stores.
 
 use super::state::JobState;
-use super::study::StudyState;
+use super::study_state::StudyState;
 
 /// Errors of jobs and of the stores behind them.
 #[derive(Debug, thiserror::Error)]
@@ -18,9 +18,9 @@ pub enum JobError {
     /// The tenant has stored as many bytes as it may.
     #[error("{stored} of {limit} bytes are stored")]
     ShareFull {
-        /// What it has stored, bytes.
+        /// Its stored bytes.
         stored: u64,
-        /// What it may store, bytes.
+        /// Maximum number of its stored bytes.
         limit: u64,
     },
     /// The job has to be finished first.
@@ -119,7 +119,7 @@ pub enum JobError {
     /// The store holds something invalid.
     #[error("the store holds something unreadable: {what}")]
     Corrupt {
-        /// What was read.
+        /// Name of the thing that was read.
         what: &'static str,
         /// Why it is invalid.
         #[source]

@@ -5,14 +5,15 @@
 //! finds. It ends when the last follower leaves or when nothing can change any more. A thousand dashboards thus cost the
 //! store as much as one.
 
-use super::batch::{Batch, BatchId};
+use super::batch::Batch;
 use super::error::JobError;
 use super::forecast::Forecast;
-use super::job::{Job, JobId, Tenant};
+use super::ids::{BatchId, JobId, StudyId};
+use super::job::{Job, Tenant};
 use super::ports::JobStore;
 use super::signals::{Moves, Signals};
 use super::state::JobState;
-use super::study::{Study, StudyId, StudyStore};
+use super::study::{Study, StudyStore};
 use super::trace::NumberedPoint;
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -104,7 +105,7 @@ impl<K: Eq + Hash, T> Shared<K, T> {
     }
 }
 
-/// What is followed in this process.
+/// The feeds of this process.
 pub(super) struct Feeds {
     store: Arc<dyn JobStore>,
     study_store: Arc<dyn StudyStore>,

@@ -2,7 +2,8 @@
 
 use super::demand::SurfaceSize;
 use super::engine::Engine;
-use super::job::{Job, JobId, JobInput};
+use super::ids::JobId;
+use super::job::{Job, JobInput};
 use super::state::JobState;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};

@@ -1,51 +1,14 @@
 //! The record of a job, the form of a new one, and how lists of jobs are requested.
 
-use super::batch::BatchId;
 use super::documents::Verdict;
+use super::ids::{BatchId, JobId, SCORE_METHOD, STEP_METHOD, StudyId};
 use super::metadata::{ExternalRef, Tags};
 use super::state::JobState;
-use super::study::{SCORE_METHOD, STEP_METHOD, StudyId};
 use super::trace::Progress;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
-
-/// Identity of a job: a UUIDv7, so that ids sort by creation time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct JobId(uuid::Uuid);
-
-impl JobId {
-    /// A new id.
-    pub fn new() -> Self {
-        JobId(uuid::Uuid::now_v7())
-    }
-
-    /// The id written in `text`, in the usual hyphenated form.
-    pub fn parse(text: &str) -> Option<Self> {
-        if text.len() != 36 {
-            return None;
-        }
-        uuid::Uuid::try_parse(text).ok().map(JobId)
-    }
-
-    /// The id itself.
-    pub(crate) fn uuid(self) -> uuid::Uuid {
-        self.0
-    }
-}
-
-impl Default for JobId {
-    fn default() -> Self {
-        JobId::new()
-    }
-}
-
-impl std::fmt::Display for JobId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.as_hyphenated().fmt(f)
-    }
-}
 
 /// The owner of jobs and uploads. Every query carries it; without authentication it is `default`.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]

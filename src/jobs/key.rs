@@ -8,7 +8,7 @@ use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
-/// What a key allows.
+/// A right that a key has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Scope {
@@ -69,7 +69,7 @@ impl Role {
         Role::ALL.into_iter().find(|role| role.name() == name)
     }
 
-    /// What it allows.
+    /// Its scopes.
     pub fn scopes(self) -> &'static [Scope] {
         match self {
             Role::Reader => &[Scope::Read],
@@ -177,7 +177,7 @@ pub struct ApiKey {
     pub name: String,
     /// Hash of its secret part.
     pub hash: String,
-    /// What it allows.
+    /// Its scopes.
     pub scopes: Vec<Scope>,
     /// When it was created.
     pub created_at: Timestamp,
@@ -232,7 +232,7 @@ pub trait KeyStore: Send + Sync {
     async fn insert_ticket(&self, hash: &str, ticket: &Ticket, lasts: Duration, at_most: u32)
     -> Result<bool, JobError>;
 
-    /// What the ticket with this hash permits, if it has not expired.
+    /// The ticket with this hash, if it has not expired.
     async fn get_ticket(&self, hash: &str) -> Result<Option<Ticket>, JobError>;
 
     /// Revokes a key. `false` if there is no such key or it is revoked already.

@@ -3,7 +3,8 @@
 //! Every claim increments the job's `lease_epoch`. Everything that a worker writes carries the epoch of its claim, and the
 //! store accepts only the current epoch; so a worker that was suspended past its lease cannot overwrite its successor.
 
-use super::job::{Job, JobId, Tenant};
+use super::ids::JobId;
+use super::job::{Job, Tenant};
 
 /// Identity of a worker process: random, so that a restarted process is never mistaken for its predecessor.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -66,7 +67,7 @@ pub enum LeaseStatus {
     Lost,
 }
 
-/// What became of the jobs of lost workers.
+/// Counts of jobs that were taken back from lost workers, by their new state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Recovered {
     /// Returned to the queue.

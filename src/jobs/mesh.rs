@@ -1,9 +1,9 @@
 //! Uploads: files to which jobs refer by the hash of their content.
 
-use super::engine::{InputRefusal, InputSummary};
+use super::artifact::{ArtifactKey, is_hash};
 use super::error::JobError;
+use super::input_check::{InputRefusal, InputSummary};
 use super::job::Tenant;
-use super::ports::{ArtifactKey, is_hash};
 use async_trait::async_trait;
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};

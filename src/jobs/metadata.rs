@@ -1,4 +1,4 @@
-//! What a submitter writes on a job or a batch: tags and a reference of their own.
+//! Metadata of the submitter on a job or a batch: tags and a reference of their own.
 //!
 //! A value of these types is within its limits, whichever way it came in: a form, JSON, a batch, a retry. A new job or batch
 //! has no other fields for them, so no way in can skip the check.

@@ -1,14 +1,17 @@
 //! The ports to storage: jobs with their queue, blobs, and the processes that share them.
 
 use super::admission::{Admission, IdempotencyKey, OnceStatus};
-use super::batch::{Batch, BatchId, BatchPage, NewBatch};
+use super::artifact::{ArtifactKey, ArtifactKind, ArtifactRef};
+use super::batch::{Batch, BatchPage, NewBatch};
 use super::change::ChangePage;
 use super::demand::WaitingJob;
 use super::documents::Verdict;
 use super::error::JobError;
-use super::job::{Cursor, Failure, Job, JobFilter, JobId, JobPage, NewJob, PageRequest, Tenant};
+use super::ids::{BatchId, JobId};
+use super::job::{Cursor, Failure, Job, JobFilter, JobPage, NewJob, PageRequest, Tenant};
 use super::lease::{Lease, LeaseStatus, LeasedJob, Recovered, WorkerId};
 use super::retention::{Overdue, Purged, Retentions};
+use super::state::JobState;
 use super::trace::{TraceChunk, TracePage};
 use async_trait::async_trait;
 use bytes::Bytes;
@@ -18,134 +21,6 @@ use std::time::Duration;
 
 /// The content of a blob, in pieces.
 pub type BlobStream = BoxStream<'static, Result<Bytes, JobError>>;
-
-/// What a blob of a job contains.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ArtifactKind {
-    /// The source as uploaded.
-    Source,
-    /// The target as uploaded.
-    Target,
-    /// The result document without its correspondences, JSON.
-    Result,
-    /// The correspondences in columns, JSON.
-    Correspondences,
-    /// The source surface to whose vertices the correspondences refer.
-    SourceSurface,
-    /// The target surface to whose vertices the correspondences refer.
-    TargetSurface,
-    /// The source surface moved onto the target.
-    Aligned,
-    /// What a study keeps of a match.
-    StudyRecord,
-    /// The matches that a step of a study found missing, JSON.
-    StudyPlan,
-    /// The template of a study.
-    StudyTemplate,
-    /// How that template was made, JSON; from then on it is kept.
-    StudyKept,
-    /// A study and its figures, JSON.
-    StudyDocument,
-    /// A page about a study.
-    StudyReport,
-    /// Everything that was found in a study, a zip archive.
-    StudyArchive,
-    /// The score of a new subject against a study, JSON.
-    StudyScore,
-}
-
-impl ArtifactKind {
-    /// The name in the database.
-    pub fn name(self) -> &'static str {
-        match self {
-            ArtifactKind::Source => "source",
-            ArtifactKind::Target => "target",
-            ArtifactKind::Result => "result",
-            ArtifactKind::Correspondences => "correspondences",
-            ArtifactKind::SourceSurface => "source_surface",
-            ArtifactKind::TargetSurface => "target_surface",
-            ArtifactKind::Aligned => "aligned",
-            ArtifactKind::StudyRecord => "study_record",
-            ArtifactKind::StudyPlan => "study_plan",
-            ArtifactKind::StudyTemplate => "study_template",
-            ArtifactKind::StudyKept => "study_kept",
-            ArtifactKind::StudyDocument => "study_document",
-            ArtifactKind::StudyReport => "study_report",
-            ArtifactKind::StudyArchive => "study_archive",
-            ArtifactKind::StudyScore => "study_score",
-        }
-    }
-}
-
-/// The address of a blob within a tenant: a path whose last part is the hash of the content.
-///
-/// An upload is addressed by its content alone, so that equal files are one blob. The address of a worker's result also
-/// contains its lease: a worker that has lost its lease cannot overwrite what its successor writes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct ArtifactKey {
-    /// Owner; equal bytes of two tenants are two blobs.
-    pub tenant: Tenant,
-    path: String,
-}
-
-impl ArtifactKey {
-    /// The address of an upload with this content.
-    pub fn of(tenant: &Tenant, bytes: &[u8]) -> Self {
-        let hash = blake3::hash(bytes).to_hex();
-        let path = format!("{}/{}/{hash}", &hash[0..2], &hash[2..4]);
-        ArtifactKey { tenant: tenant.clone(), path }
-    }
-
-    /// The address of an upload whose content has this hash; `None` if `hash` is not a hash.
-    pub fn of_hash(tenant: &Tenant, hash: &str) -> Option<Self> {
-        is_hash(hash).then(|| {
-            let path = format!("{}/{}/{hash}", &hash[0..2], &hash[2..4]);
-            ArtifactKey { tenant: tenant.clone(), path }
-        })
-    }
-
-    /// The address of a result with this content, computed under `lease`.
-    pub fn of_result(lease: &Lease, bytes: &[u8]) -> Self {
-        let hash = blake3::hash(bytes).to_hex();
-        ArtifactKey { tenant: lease.tenant.clone(), path: format!("results/{}/{}/{hash}", lease.job_id, lease.epoch) }
-    }
-
-    /// The address with this path; `None` if no address has this form.
-    pub fn from_path(tenant: &Tenant, path: &str) -> Option<Self> {
-        let (folder, hash) = path.rsplit_once('/')?;
-        let safe = folder.split('/').all(|part| {
-            !part.is_empty() && part.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
-        });
-        (safe && is_hash(hash)).then(|| ArtifactKey { tenant: tenant.clone(), path: path.to_owned() })
-    }
-
-    /// The path under the tenant.
-    pub fn path(&self) -> &str {
-        &self.path
-    }
-
-    /// 64 lower-case hexadecimal digits of BLAKE3 of the content.
-    pub fn hash(&self) -> &str {
-        self.path.rsplit_once('/').map_or("", |(_, hash)| hash)
-    }
-}
-
-/// Whether a text is a hash as this program writes it: 64 lower-case hexadecimal digits.
-pub(super) fn is_hash(text: &str) -> bool {
-    text.len() == 64 && text.bytes().all(|b| matches!(b, b'0'..=b'9' | b'a'..=b'f'))
-}
-
-/// A blob that a job refers to.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ArtifactRef {
-    /// What it contains.
-    pub kind: ArtifactKind,
-    /// Its address.
-    pub key: ArtifactKey,
-    /// Its size, bytes.
-    pub n_bytes: u64,
-}
 
 /// The numbers of queued and running jobs of all tenants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -180,7 +55,7 @@ pub enum Outcome {
 
 /// The store of jobs: all of its parts, over one database. All times are the database's.
 ///
-/// Whatever takes a [`Lease`] to write is fenced: it returns [`JobError::LeaseLost`] and changes nothing unless the job is
+/// Every write that takes a [`Lease`] is fenced: it returns [`JobError::LeaseLost`] and changes nothing unless the job is
 /// running under exactly this epoch.
 #[async_trait]
 pub trait JobStore: JobReader + JobWriter + JobQueue + BlobHolds + Housekeeping {
@@ -218,7 +93,7 @@ pub trait JobReader: Send + Sync {
         tenant: &Tenant,
         id: JobId,
         kind: ArtifactKind,
-    ) -> Result<(super::JobState, Option<ArtifactRef>), JobError>;
+    ) -> Result<(JobState, Option<ArtifactRef>), JobError>;
 
     /// The number of a tenant's queued jobs, counted up to `at_most`.
     async fn queue_length(&self, tenant: &Tenant, at_most: u32) -> Result<u32, JobError>;
@@ -230,7 +105,7 @@ pub trait JobReader: Send + Sync {
     async fn load(&self) -> Result<Load, JobError>;
 }
 
-/// What clients change: submissions, their idempotency keys, cancellation and deletion.
+/// Changes by clients: submissions, their idempotency keys, cancellation and deletion.
 #[async_trait]
 pub trait JobWriter: Send + Sync {
     /// Stores a job as queued, or as succeeded if it may share the result of an equal job and there is one. When this
@@ -350,7 +225,7 @@ pub enum ClockState {
     },
 }
 
-/// What every process does from time to time.
+/// Work of every process from time to time.
 #[async_trait]
 pub trait Housekeeping: Send + Sync {
     /// Takes back the jobs whose leases expired.

@@ -92,7 +92,7 @@ pub fn kept(days: f64) -> Option<Duration> {
     (days > 0.0).then(|| Duration::from_secs_f64(days * 86_400.0))
 }
 
-/// What a purge removed, or would remove.
+/// Counts of a purge, or of a dry run of one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Purged {
     /// Jobs whose result and trace were removed; their records stay.

@@ -2,22 +2,24 @@
 //!
 //! Submissions are in [`super::submission`], uploads in [`super::uploads`], following a job in [`super::follow`].
 
+use super::artifact::{ArtifactKind, ArtifactRef};
 use super::audit::{AuditStore, Recorder};
-use super::batch::{Batch, BatchId, BatchPage};
+use super::batch::{Batch, BatchPage};
 use super::change::ChangePage;
 use super::engine::{Engine, MethodDescription};
 use super::error::JobError;
 use super::follow::{Feed, Feeds, Seen};
 use super::forecast::Forecast;
-use super::job::{Cursor, Job, JobFilter, JobId, JobPage, Order, PageRequest, Tenant};
+use super::ids::{BatchId, JobId, StudyId};
+use super::job::{Cursor, Job, JobFilter, JobPage, Order, PageRequest, Tenant};
 use super::key::{ApiKey, KeyPage, KeyStore, Role, SecretKey};
 use super::mesh::MeshStore;
-use super::ports::{ArtifactKind, ArtifactRef, ArtifactStore, BlobStream, JobStore, Load};
+use super::ports::{ArtifactStore, BlobStream, JobStore, Load};
 use super::retention::Retentions;
 use super::signals::Signals;
 use super::state::JobState;
-use super::stored::StoredBytes;
-use super::study::{Study, StudyId, StudyStore};
+use super::stored_bytes::StoredBytes;
+use super::study::{Study, StudyStore};
 use super::study_progress::StudyProgression;
 use super::trace::TracePage;
 use super::webhook::WebhookStore;
@@ -130,7 +132,7 @@ impl JobService {
         &self.recorder
     }
 
-    /// What goes on with studies.
+    /// The progress of studies.
     pub(super) fn progression(&self) -> StudyProgression {
         StudyProgression {
             jobs: Arc::clone(&self.stores.jobs),

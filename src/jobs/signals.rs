@@ -3,7 +3,7 @@
 //! They are hints only. The store is the truth, and every follower also queries it at intervals, which is all that connects
 //! one process with another.
 
-use super::job::JobId;
+use super::ids::JobId;
 use tokio::sync::{Mutex, Notify, broadcast};
 
 /// Signals kept for a receiver that falls behind; a receiver that missed signals queries the store.

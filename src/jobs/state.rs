@@ -60,7 +60,7 @@ impl JobState {
     }
 }
 
-/// What a request to cancel does to a job.
+/// Effect of a request to cancel on a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CancelEffect {
     /// It is queued: it is cancelled at once.
@@ -73,7 +73,7 @@ pub enum CancelEffect {
     AlreadyFinal,
 }
 
-/// What a request to cancel does to a job in `state`.
+/// Effect of a request to cancel on a job in `state`.
 pub fn cancel_effect(state: JobState) -> CancelEffect {
     match state {
         JobState::Queued => CancelEffect::CancelNow,

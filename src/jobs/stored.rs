@@ -3,39 +3,10 @@
 use super::error::JobError;
 use super::job::Tenant;
 use super::service::JobService;
-use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// How long a count is used; what is accepted meanwhile is added to it.
-const FRESH: Duration = Duration::from_secs(10);
 /// How long a count is used that leaves no room.
 const RECOUNTED: Duration = Duration::from_secs(1);
-
-/// The last counts.
-#[derive(Debug, Default)]
-pub(super) struct StoredBytes(Mutex<HashMap<Tenant, (Instant, u64)>>);
-
-impl StoredBytes {
-    /// The last count, and how old it is.
-    fn counted(&self, tenant: &Tenant) -> Option<(Duration, u64)> {
-        let counts = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        counts.get(tenant).map(|(at, n_bytes)| (at.elapsed(), *n_bytes)).filter(|(age, _)| *age < FRESH)
-    }
-
-    fn note(&self, tenant: &Tenant, n_bytes: u64) {
-        let mut counts = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        counts.retain(|_, (at, _)| at.elapsed() < FRESH);
-        counts.insert(tenant.clone(), (Instant::now(), n_bytes));
-    }
-
-    fn add(&self, tenant: &Tenant, n_bytes: u64) {
-        let mut counts = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, counted)) = counts.get_mut(tenant) {
-            *counted = counted.saturating_add(n_bytes);
-        }
-    }
-}
 
 impl JobService {
     /// Refuses to store `n_bytes` more of a tenant that would then have more than its share.

@@ -6,13 +6,16 @@
 //! [`super::study_submission`] has the use cases. Ids of subjects and covariates are in blobs only, and so encrypted where
 //! blobs are.
 
+use super::admission::Admission;
+use super::artifact::ArtifactKey;
 use super::documents::{BodySide, LabelChoice};
-use super::engine::InputSummary;
-use super::job::{Cursor, Failure, JobId, JobInput, NewJob, Tenant};
+use super::error::JobError;
+use super::ids::{JobId, StudyId};
+use super::input_check::InputSummary;
+use super::job::{Cursor, Failure, JobInput, NewJob, Tenant};
 use super::metadata::{ExternalRef, Tags};
-use super::ports::ArtifactKey;
 use super::state::JobState;
-use super::{Admission, JobError};
+use super::study_state::StudyState;
 use async_trait::async_trait;
 use homolog_contract::study::StudySize;
 use jiff::Timestamp;
@@ -22,91 +25,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
 use std::time::Duration;
 
-/// Identity of a study: a UUIDv7.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct StudyId(uuid::Uuid);
-
-impl StudyId {
-    /// A new id.
-    pub fn random() -> Self {
-        StudyId(uuid::Uuid::now_v7())
-    }
-
-    /// The id written in `text`, in the usual hyphenated form.
-    pub fn parse(text: &str) -> Option<Self> {
-        if text.len() != 36 {
-            return None;
-        }
-        uuid::Uuid::try_parse(text).ok().map(StudyId)
-    }
-}
-
-impl std::fmt::Display for StudyId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(self.0.as_hyphenated(), f)
-    }
-}
-
-/// The state of a study. Of the final ones, each is left when subjects are added or a decision changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum StudyState {
-    /// Its first matches are being planned.
-    Queued,
-    /// Its template is being made, or matched to its subjects.
-    Matching,
-    /// Its model, statistics and report are being computed.
-    #[serde(rename = "modelling")]
-    Modeling,
-    /// It has a result.
-    Finished,
-    /// It ended without a result; `error` says why.
-    Failed,
-    /// Cancelled on request.
-    Cancelled,
-}
-
-impl StudyState {
-    /// All states.
-    pub const ALL: [StudyState; 6] = [
-        StudyState::Queued,
-        StudyState::Matching,
-        StudyState::Modeling,
-        StudyState::Finished,
-        StudyState::Failed,
-        StudyState::Cancelled,
-    ];
-
-    /// The name used in JSON and in the database.
-    pub fn name(self) -> &'static str {
-        match self {
-            StudyState::Queued => "queued",
-            StudyState::Matching => "matching",
-            StudyState::Modeling => "modelling",
-            StudyState::Finished => "finished",
-            StudyState::Failed => "failed",
-            StudyState::Cancelled => "cancelled",
-        }
-    }
-
-    /// The state of this name.
-    pub fn from_name(name: &str) -> Option<StudyState> {
-        StudyState::ALL.into_iter().find(|state| state.name() == name)
-    }
-
-    /// Whether nothing of the study is to be done.
-    pub fn is_final(self) -> bool {
-        matches!(self, StudyState::Finished | StudyState::Failed | StudyState::Cancelled)
-    }
-}
-
-/// The method of the hidden jobs that plan and model.
-pub const STEP_METHOD: &str = "study";
-
-/// The method of the jobs that score a new subject against a study.
-pub const SCORE_METHOD: &str = "study_score";
-
-/// What is asked about a new subject. It stands in the parameters of its job, under `score`.
+/// Questions about a new subject. They stand in the parameters of its job, under `score`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ScoreQuestions {
     /// On which side of the body it lies.
@@ -130,7 +49,7 @@ pub mod blob {
     pub const DOCUMENT: &str = "study.json";
     /// The page for people.
     pub const REPORT: &str = "report.html";
-    /// What is kept of how the template was made.
+    /// The record of how the template was made.
     pub const KEPT: &str = "template/kept.json";
     /// The template.
     pub const TEMPLATE: &str = "template/template.ply";
@@ -146,7 +65,7 @@ pub mod blob {
     }
 }
 
-/// What a subject is for.
+/// Role of a subject.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SubjectRole {
@@ -174,7 +93,7 @@ pub struct StudySubject {
     pub id: String,
     /// Who it is, where one person has several visits; the id if `None`.
     pub subject: Option<String>,
-    /// What it is for.
+    /// Its role in the study.
     pub role: SubjectRole,
     /// On which side of the body it lies; one on the other side than the template is mirrored.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -188,18 +107,18 @@ pub struct StudySubject {
     pub input: JobInput,
 }
 
-/// What a person decided about a subject.
+/// A person's decision about a subject.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SubjectDecision {
     /// The subject.
     pub id: String,
-    /// What was decided.
+    /// The decision.
     pub decision: DecisionVerdict,
     /// Why.
     pub reason: String,
 }
 
-/// What is asked of a study besides its subjects; `None` is the default of the engine.
+/// Questions of a study, besides its subjects; `None` is the default of the engine.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct StudyQuestions {
     /// On which side of the body the template lies.
@@ -226,7 +145,7 @@ pub struct StudyQuestions {
     pub reference: BTreeMap<String, String>,
     /// Further contrasts: name, and sum of columns.
     pub contrasts: BTreeMap<String, String>,
-    /// What is tested; empty: everything.
+    /// Measures that are tested; empty: all.
     pub measures: Vec<String>,
     /// Permutations of each test.
     pub permutations: Option<u32>,
@@ -239,11 +158,11 @@ pub struct StudyDefinition {
     pub subjects: Vec<StudySubject>,
     /// The given template; `None`: one is made.
     pub template: Option<JobInput>,
-    /// What is asked.
+    /// The questions.
     pub questions: StudyQuestions,
     /// Effective parameters of every match.
     pub parameters: Value,
-    /// What was decided, in the order of the first decision about each subject.
+    /// Decisions, in the order of the first one about each subject.
     pub decisions: Vec<SubjectDecision>,
 }
 
@@ -313,7 +232,7 @@ pub struct StudyFault {
     pub pointer: String,
     /// Stable name of the kind of fault.
     pub code: String,
-    /// What is wrong.
+    /// Description of the fault.
     pub detail: String,
 }
 
@@ -353,7 +272,7 @@ pub trait StudyInputs: Debug + Send + Sync {
     fn read(&self, hash: &str) -> std::io::Result<Vec<u8>>;
 }
 
-/// What a step works on.
+/// The material of a step.
 #[derive(Debug)]
 pub struct StudyMaterial {
     /// Who, and what is asked.
@@ -369,7 +288,7 @@ pub struct StudyMaterial {
 /// A blob of a study.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StudyBlob {
-    /// What it is.
+    /// Its name within the study.
     pub name: String,
     /// Its address.
     pub key: ArtifactKey,

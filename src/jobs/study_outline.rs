@@ -1,13 +1,14 @@
-//! What is shown of a study: a page of its subjects and what was decided about them, without their covariates.
+//! The outline of a study: a page of its subjects and the decisions about them, without their covariates.
 //!
 //! A definition may have a thousand subjects of hundreds of covariates, which take ten times their stored size when they are
 //! read. Here they are passed over while the text is read.
 
 use super::documents::{BodySide, LabelChoice};
 use super::error::JobError;
+use super::ids::StudyId;
 use super::job::Tenant;
 use super::service::JobService;
-use super::study::{StudyId, SubjectDecision, SubjectRole};
+use super::study::{SubjectDecision, SubjectRole};
 use super::study_progress::definition_bytes;
 use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
@@ -27,12 +28,12 @@ pub struct StudyOutline {
     pub parameters: Value,
 }
 
-/// What is shown of a subject.
+/// A subject in the outline of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutlinedSubject {
     /// Its name in all outputs.
     pub id: String,
-    /// What it is for.
+    /// Its role in the study.
     pub role: SubjectRole,
     /// On which side of the body it lies.
     pub side: Option<BodySide>,
@@ -40,7 +41,7 @@ pub struct OutlinedSubject {
     pub labels: Option<Vec<LabelChoice>>,
     /// Hash of its surface or label volume.
     pub hash: String,
-    /// What was decided about it.
+    /// The decision about it.
     pub decision: Option<SubjectDecision>,
 }
 
@@ -49,7 +50,7 @@ impl StudyOutline {
     /// each of its subjects.
     ///
     /// # Errors
-    /// What is no definition.
+    /// That of `serde_json`, if `bytes` are no definition.
     pub fn read(bytes: &[u8], places: Range<usize>) -> serde_json::Result<Self> {
         let mut reader = serde_json::Deserializer::from_slice(bytes);
         let outline = Definition { places }.deserialize(&mut reader)?;
@@ -213,7 +214,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever is stored and asked for: the pages are those of the definition that is read whole.
+        /// The pages are those of the definition that is read whole, for any definition and any places.
         #[test]
         fn a_page_is_that_of_the_whole_definition(
             n in 0..40usize, decided in prop::collection::btree_set(0..40usize, 0..8), first in 0..50usize, size in 0..50usize,

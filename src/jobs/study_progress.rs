@@ -4,21 +4,22 @@
 //! Every process does this for every study, every second and whenever a job of one ends. What is decided from one revision of
 //! a study is stored only if that is still its revision, so that each job is made once, whoever is first.
 
+use super::artifact::{ArtifactKey, ArtifactKind, ArtifactRef, BLOB_HOLD};
 use super::error::JobError;
-use super::job::{Failure, JobId, JobInput, NewJob, Tenant};
+use super::ids::{JobId, STEP_METHOD, StudyId};
+use super::job::{Failure, JobInput, NewJob, Tenant};
 use super::metadata::{ExternalRef, Tags};
-use super::ports::{ArtifactKey, ArtifactKind, ArtifactStore, JobStore};
+use super::ports::{ArtifactStore, JobStore};
 use super::retention::Retentions;
 use super::signals::Signals;
 use super::state::JobState;
 use super::study::{
-    PlannedMatch, STEP_METHOD, Study, StudyBlob, StudyChange, StudyDefinition, StudyId, StudyPlan, StudyProgress,
-    StudyState, StudyStore, blob,
+    PlannedMatch, Study, StudyBlob, StudyChange, StudyDefinition, StudyPlan, StudyProgress, StudyStore, blob,
 };
+use super::study_state::StudyState;
 use bytes::Bytes;
 use serde_json::json;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// Studies that are looked at in one round.
 const AT_ONCE: u32 = 200;
@@ -26,10 +27,8 @@ const AT_ONCE: u32 = 200;
 const MOST_CHANGES: usize = 8;
 /// Matches that are made in one transaction.
 const MADE_AT_ONCE: u32 = 500;
-/// How long the template's blob is held until its matches are stored.
-const HOLD: Duration = Duration::from_secs(600);
 
-/// What goes on with studies.
+/// The progress of studies: the jobs and the result that follow from each step.
 #[derive(Clone)]
 pub struct StudyProgression {
     /// Jobs.
@@ -84,7 +83,7 @@ impl StudyProgression {
         Ok(())
     }
 
-    /// What is to be changed; `None` if the study has to wait for its jobs, or is in a final state.
+    /// The next change of a study; `None` if the study has to wait for its jobs, or is in a final state.
     async fn next(&self, study: &Study) -> Result<Option<StudyChange>, JobError> {
         if study.state.is_final() {
             return Ok(None);
@@ -168,7 +167,7 @@ impl StudyProgression {
         }
     }
 
-    /// What a step that has succeeded leads to: the result, or the matches that it found missing.
+    /// The change after a step that has succeeded: the result, or the matches that it found missing.
     async fn after_step(&self, study: &Study, step: JobId) -> Result<Option<StudyChange>, JobError> {
         let mut blobs = Vec::new();
         for (kind, name) in [
@@ -194,12 +193,7 @@ impl StudyProgression {
         self.plan(study, step, blobs).await
     }
 
-    async fn product(
-        &self,
-        study: &Study,
-        step: JobId,
-        kind: ArtifactKind,
-    ) -> Result<Option<super::ports::ArtifactRef>, JobError> {
+    async fn product(&self, study: &Study, step: JobId, kind: ArtifactKind) -> Result<Option<ArtifactRef>, JobError> {
         match self.jobs.get_artifact(&study.tenant, step, kind).await {
             Ok((_, found)) => Ok(found),
             Err(JobError::NotFound | JobError::Gone) => Ok(None),
@@ -248,7 +242,7 @@ impl StudyProgression {
             }
         }
         let holder = format!("study:{}:{}", study.id, uuid::Uuid::new_v4());
-        self.jobs.hold_blobs(&holder, std::slice::from_ref(&key), HOLD, None).await?;
+        self.jobs.hold_blobs(&holder, std::slice::from_ref(&key), BLOB_HOLD, None).await?;
         self.artifacts.put(&key, bytes).await?;
         let n_made = n_made + u32::try_from(jobs.len()).unwrap_or(u32::MAX);
         Ok(Some(StudyChange {

@@ -4,11 +4,13 @@
 //! when the job runs.
 
 use super::admission::{IdempotencyKey, Made};
+use super::artifact::{ArtifactKind, ArtifactRef};
 use super::error::JobError;
-use super::job::{Job, JobId, NewJob, Tenant};
-use super::ports::{ArtifactKind, ArtifactRef};
+use super::ids::{JobId, SCORE_METHOD, StudyId};
+use super::job::{Job, NewJob, Tenant};
 use super::service::JobService;
-use super::study::{SCORE_METHOD, ScoreQuestions, StudyDefinition, StudyFault, StudyId, StudyState};
+use super::study::{ScoreQuestions, StudyDefinition, StudyFault};
+use super::study_state::StudyState;
 use super::submission::{
     Accepted, CheckedInput, JobOptions, SubmitError, SubmittedInput, details_value, hash_of, input_value,
 };
@@ -23,7 +25,7 @@ pub struct ScoreSubmission {
     pub study: StudyId,
     /// Its surface or label volume.
     pub input: SubmittedInput,
-    /// What is asked.
+    /// Questions about the new subject.
     pub asked: ScoreQuestions,
     /// Everything else.
     pub details: JobOptions,

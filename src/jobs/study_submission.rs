@@ -1,17 +1,20 @@
-//! What clients do with studies: submit, read, add subjects, decide, cancel, delete.
+//! The use cases of studies: submit, read, add subjects, decide, cancel, delete.
 
 use super::admission::Made;
+use super::artifact::{ArtifactKey, ArtifactKind, ArtifactRef, BLOB_HOLD};
 use super::documents::{BodySide, LabelChoice};
-use super::engine::{InputRefusal, ParameterFault, Resolved};
+use super::engine::{ParameterFault, Resolved};
 use super::error::JobError;
+use super::ids::StudyId;
+use super::input_check::InputRefusal;
 use super::job::{Cursor, JobInput, Tenant};
-use super::ports::{ArtifactKey, ArtifactKind, ArtifactRef};
 use super::service::JobService;
 use super::study::{
-    DecisionVerdict, NewStudy, Study, StudyBlob, StudyChange, StudyDefinition, StudyFault, StudyId, StudyPage,
-    StudyQuestions, StudyState, StudySubject, SubjectDecision, SubjectRole, blob,
+    DecisionVerdict, NewStudy, Study, StudyBlob, StudyChange, StudyDefinition, StudyFault, StudyPage, StudyQuestions,
+    StudySubject, SubjectDecision, SubjectRole, blob,
 };
 use super::study_progress::read_definition;
+use super::study_state::StudyState;
 use super::submission::{
     Accepted, CheckedInput, JobOptions, SubmitError, SubmittedInput, details_value, hash_of, input_value,
 };
@@ -19,10 +22,7 @@ use bytes::Bytes;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::time::Duration;
 
-/// How long blobs are held for a submission between writing them and storing its study.
-const HOLD: Duration = Duration::from_secs(600);
 /// Most faults of a submission that are reported.
 const NAMED_FAULTS: usize = 16;
 /// How often a change is tried when others change the study at the same time.
@@ -37,7 +37,7 @@ pub struct StudySubmission {
     pub subjects: Vec<SubmittedSubject>,
     /// The given template.
     pub template: Option<SubmittedInput>,
-    /// What is asked.
+    /// Questions about the group.
     pub questions: StudyQuestions,
     /// Parameters of every match, as requested.
     pub parameters: Value,
@@ -54,7 +54,7 @@ pub struct SubmittedSubject {
     pub id: String,
     /// Who it is; the id if `None`.
     pub subject: Option<String>,
-    /// What it is for.
+    /// Its role in the study.
     pub role: SubjectRole,
     /// On which side of the body it lies.
     pub side: Option<BodySide>,
@@ -264,7 +264,7 @@ impl JobService {
         self.refuse_over_share(tenant, n_bytes).await?;
         self.note_stored(tenant, n_bytes);
         let keys: Vec<ArtifactKey> = written.iter().map(|written| written.blob.key.clone()).collect();
-        self.stores.jobs.hold_blobs(holder, &keys, HOLD, None).await?;
+        self.stores.jobs.hold_blobs(holder, &keys, BLOB_HOLD, None).await?;
         for Written { blob, bytes } in written {
             match bytes {
                 Some(bytes) => self.stores.artifacts.put(&blob.key, bytes).await?,

@@ -1,13 +1,15 @@
 //! Submissions: a job, a retry, a batch. Each is checked first, then stored, then answered.
 
 use super::admission::{Admission, IdempotencyKey, Made, OnceStatus};
-use super::batch::{Batch, BatchId, NewBatch};
-use super::engine::{InputRefusal, InputSummary, ParameterFault, Resolved};
+use super::artifact::{ArtifactKey, ArtifactKind, BLOB_HOLD};
+use super::batch::{Batch, NewBatch};
+use super::engine::{ParameterFault, Resolved};
 use super::error::JobError;
-use super::job::{Job, JobId, JobInput, NewJob, Tenant};
+use super::ids::{BatchId, JobId};
+use super::input_check::{InputRefusal, InputSummary};
+use super::job::{Job, JobInput, NewJob, Tenant};
 use super::mesh::{CheckOutcome, Mesh};
 use super::metadata::{ExternalRef, MetadataFault, Tags};
-use super::ports::ArtifactKey;
 use super::service::JobService;
 use super::study::StudyFault;
 use bytes::Bytes;
@@ -16,8 +18,6 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-/// How long blobs are held for a submission between writing them and storing its job.
-const HOLD: Duration = Duration::from_secs(600);
 /// How long an idempotency key stays reserved for the request that is carried out. The process extends it as long as it lives;
 /// when it has ended in the middle, another request may take the key this soon.
 pub(crate) const BUSY: Duration = Duration::from_secs(10);
@@ -43,7 +43,7 @@ pub struct Submission {
     pub idempotency_key: Option<String>,
 }
 
-/// What a submission states besides inputs and parameters.
+/// Options of a submission besides inputs and parameters.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct JobOptions {
     /// −100 to 100, higher first.
@@ -87,7 +87,7 @@ pub struct SubmittedFile {
 pub struct BatchSubmission {
     /// Owner.
     pub tenant: Tenant,
-    /// What its jobs match; an input that several jobs have is here once.
+    /// Inputs of its jobs; an input that several jobs have is here once.
     pub inputs: Vec<SubmittedInput>,
     /// How its jobs were written.
     pub form: BatchForm,
@@ -230,7 +230,7 @@ pub(super) struct CheckedInput {
 }
 
 impl CheckedInput {
-    /// What is stored of it.
+    /// Its form in the record of a job.
     pub(super) fn record(&self) -> JobInput {
         JobInput {
             hash: self.key.hash().to_owned(),
@@ -421,7 +421,7 @@ impl JobService {
         self.note_stored(&tenant, n_bytes);
         let admission = self.admission(&tenant, &holder, once);
         let stored = async {
-            self.stores.jobs.hold_blobs(&holder, &keys, HOLD, None).await?;
+            self.stores.jobs.hold_blobs(&holder, &keys, BLOB_HOLD, None).await?;
             for input in inputs.into_values() {
                 match input.bytes {
                     Some(bytes) => self.stores.artifacts.put(&input.key, bytes).await?,
@@ -529,7 +529,7 @@ impl JobService {
         let admission = self.admission(&job.tenant, &holder, once);
         let stored = async {
             // The hold comes before the blobs, so that a concurrent removal spares them.
-            self.stores.jobs.hold_blobs(&holder, &keys, HOLD, None).await?;
+            self.stores.jobs.hold_blobs(&holder, &keys, BLOB_HOLD, None).await?;
             for input in inputs {
                 match input.bytes {
                     Some(bytes) => self.stores.artifacts.put(&input.key, bytes).await?,
@@ -539,7 +539,7 @@ impl JobService {
             }
             if let Some(first) = job.retry_of {
                 // The hold protects its blobs too; they exist as long as the job refers to them.
-                let kind = super::ports::ArtifactKind::Source;
+                let kind = ArtifactKind::Source;
                 self.stores.jobs.get_artifact(&job.tenant, first, kind).await?;
             }
             self.stores.jobs.insert_job(&job, &admission).await
@@ -585,7 +585,7 @@ impl JobService {
         }
     }
 
-    /// What an earlier request with the key created; `None` if this request is the first.
+    /// The job, batch or study that an earlier request with the key created; `None` if this request is the first.
     pub(super) async fn begin_once(&self, once: Option<&IdempotencyKey>) -> Result<Option<Made>, SubmitError> {
         let Some(once) = once else { return Ok(None) };
         match self.stores.jobs.begin_once(once, BUSY).await? {
@@ -627,7 +627,7 @@ impl JobService {
     }
 }
 
-/// What an input is, unless it cannot be matched.
+/// The summary of an input, unless it cannot be matched.
 #[allow(clippy::result_large_err)] // moved once for each submission
 fn fit(input: &'static str, outcome: CheckOutcome) -> Result<InputSummary, SubmitError> {
     match outcome {

@@ -1,20 +1,17 @@
 //! Tickets: short-lived permissions to read one resource, for what cannot send an API key, such as `EventSource` and links in a
 //! browser. The store has their hashes only.
 
-use super::error::JobError;
 use super::job::Tenant;
-use super::key::random_secret;
-use super::service::JobService;
 use std::time::Duration;
 
 /// How long a ticket is accepted. A stream that has begun goes on.
 pub const TICKET_LASTS: Duration = Duration::from_secs(60);
 /// Most tickets of a tenant that are accepted at the same time.
 pub const MAX_TICKETS: u32 = 1_000;
-/// What the text of a ticket begins with.
-const PREFIX: &str = "hmt_";
+/// Prefix of the text of a ticket.
+pub(super) const PREFIX: &str = "hmt_";
 
-/// What a ticket permits.
+/// The permission of a ticket.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Ticket {
     /// The tenant of whoever asked for it.
@@ -33,36 +30,9 @@ impl Ticket {
 }
 
 /// The hash under which a ticket is stored; `None` if a text is no ticket.
-fn stored_hash(text: &str) -> Option<String> {
+pub(super) fn stored_hash(text: &str) -> Option<String> {
     let secret = text.strip_prefix(PREFIX).filter(|secret| secret.len() == 64)?;
     Some(blake3::hash(secret.as_bytes()).to_hex().to_string())
-}
-
-impl JobService {
-    /// Stores a ticket, and returns its text; `None` if the tenant has the maximum number.
-    ///
-    /// # Errors
-    /// Those of the store.
-    pub async fn create_ticket(&self, ticket: &Ticket) -> Result<Option<String>, JobError> {
-        let text = format!("{PREFIX}{}", random_secret().to_hex());
-        let hash = stored_hash(&text).unwrap_or_default();
-        let made = self.stores.keys.insert_ticket(&hash, ticket, TICKET_LASTS, MAX_TICKETS).await?;
-        Ok(made.then_some(text))
-    }
-
-    /// What this ticket permits; `None` if it is none, has expired, or if the key of whoever asked for it is no longer valid.
-    ///
-    /// # Errors
-    /// Those of the store.
-    pub async fn ticket(&self, text: &str) -> Result<Option<Ticket>, JobError> {
-        let Some(hash) = stored_hash(text) else { return Ok(None) };
-        let Some(ticket) = self.stores.keys.get_ticket(&hash).await? else { return Ok(None) };
-        let key = match &ticket.key_id {
-            Some(id) if super::SecretKey::is_id(id) => self.stores.keys.get_key(id).await?,
-            _ => return Ok(Some(ticket)),
-        };
-        Ok(key.is_some_and(|key| key.is_valid).then_some(ticket))
-    }
 }
 
 #[cfg(test)]

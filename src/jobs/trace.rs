@@ -21,7 +21,7 @@ pub struct NumberedPoint {
 pub struct Progress {
     /// Share of the work that is done, `[0, 1]`; never goes back within an attempt.
     pub fraction: f64,
-    /// What it does.
+    /// Current phase of the computation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub phase: Option<Phase>,
     /// Iteration of the last trace point.
@@ -42,7 +42,7 @@ impl Progress {
     }
 }
 
-/// What is stored at once: the points since the last chunk, and the progress.
+/// A part of a trace that is stored at once: the points since the last chunk, and the progress.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceChunk {
     /// Points in order of `seq`; may be empty.
@@ -56,7 +56,7 @@ pub struct TraceChunk {
 pub struct TracePage {
     /// Points in ascending order of `seq`, each once.
     pub points: Vec<NumberedPoint>,
-    /// What to ask for next: the last `seq` here, or that asked with.
+    /// `after_seq` of the next page: the last `seq` here, or the requested one if this page is empty.
     pub next_after_seq: u64,
     /// Whether the job is finished and no point follows.
     pub complete: bool,

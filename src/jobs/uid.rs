@@ -69,7 +69,7 @@ impl GivenUids {
     }
 }
 
-/// What the engine is told beside the blobs, to make a DICOM object.
+/// The particulars of a DICOM object that are in no blob of the result.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DicomDetails {
     /// When the job ended, `YYYYMMDDHHMMSS`, UTC.

@@ -1,20 +1,17 @@
 //! Uploads: stored as they arrive, and checked afterwards, once for each set of parameters that affects the check.
 
+use super::artifact::{ArtifactKey, BLOB_HOLD};
 use super::engine::{Computation, InputBytes, InputView, Resolved};
 use super::error::JobError;
 use super::job::{Job, Tenant};
 use super::mesh::{CheckOutcome, Mesh, MeshPage};
-use super::ports::{ArtifactKey, ArtifactWriter, BlobStream};
+use super::ports::{ArtifactWriter, BlobStream};
 use super::service::JobService;
 use super::submission::{SubmitError, SubmittedFile};
 use bytes::Bytes;
 use serde_json::Value;
 use std::ops::Range;
 use std::sync::Arc;
-use std::time::Duration;
-
-/// How long the blob of an upload is held until its record is stored.
-const HOLD: Duration = Duration::from_secs(600);
 
 /// An upload in progress.
 pub struct Upload {
@@ -69,7 +66,7 @@ impl JobService {
         let key = ArtifactKey::of_hash(&tenant, &hash)
             .ok_or(JobError::Corrupt { what: "the hash of an upload", source: None })?;
         let holder = format!("upload:{}", uuid::Uuid::new_v4());
-        self.stores.jobs.hold_blobs(&holder, std::slice::from_ref(&key), HOLD, None).await?;
+        self.stores.jobs.hold_blobs(&holder, std::slice::from_ref(&key), BLOB_HOLD, None).await?;
         let recorded = async {
             writer.commit(&key).await?;
             self.stores.meshes.insert_mesh(&key, n_bytes, name_hint, &holder).await

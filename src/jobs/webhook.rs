@@ -127,7 +127,7 @@ pub struct Turn {
     pub webhook_id: String,
     /// Turns in which its receiver has accepted nothing, since it last accepted something.
     pub failures: u32,
-    /// What is due: one delivery if the receiver failed last time, else several.
+    /// The due deliveries: one if the receiver failed last time, else several.
     pub deliveries: Vec<DueDelivery>,
 }
 
@@ -156,14 +156,14 @@ pub enum Attempted {
         after: Duration,
         /// HTTP status of the response, if there was one.
         status: Option<u16>,
-        /// What went wrong.
+        /// Description of the error.
         error: String,
     },
     /// The attempt failed and there is no further one.
     Failed {
         /// HTTP status of the response, if there was one.
         status: Option<u16>,
-        /// What went wrong.
+        /// Description of the error.
         error: String,
     },
 }

@@ -10,7 +10,8 @@
 
 use super::artifacts::sealed::{FOOTER, is_sealed_blob, sealed_size};
 use super::artifacts::{FolderArtifacts, SealedArtifacts};
-use super::encryption::Keyring;
+use super::keyring::Keyring;
+use super::layout::{DATABASE_FILE, SECRET_KEY_FILE};
 use super::private_files;
 use super::sql::{DatabaseLocation, SqlStore};
 use crate::jobs::{ArtifactKey, ArtifactStore as _, JobError};
@@ -25,12 +26,8 @@ use std::sync::Arc;
 const MANIFEST: &str = "backup.json";
 /// The folder of blobs, in the data directory and in a backup.
 const BLOBS: &str = "blobs";
-/// The file of the database in its folder.
-const DATABASE: &str = "homolog.sqlite";
 /// The folder in which a copy of the database is prepared and checked.
 const DRAFT: &str = "next";
-/// The only file that a data directory may contain before a restore; it is kept apart from backups.
-const SECRET_KEY: &str = "secret.key";
 /// How often the database is copied again because a blob was created and deleted during the copy.
 const TRIES: u32 = 3;
 
@@ -133,11 +130,11 @@ pub async fn back_up(
         let draft = to.join(DRAFT);
         let folder = draft.clone();
         blocking(move || recreate(&folder)).await?;
-        store.copy_into(&draft.join(DATABASE)).await?;
+        store.copy_into(&draft.join(DATABASE_FILE)).await?;
         copy(Known::ByEnd).await?;
         match checked(&draft, &to).await {
             Err(BackupError::Missing { .. }) if tries + 1 < TRIES => tries += 1,
-            done => break (draft.join(DATABASE), done?),
+            done => break (draft.join(DATABASE_FILE), done?),
         }
     };
     if keyring.is_some() {
@@ -154,7 +151,7 @@ async fn checked(folder: &Path, data: &Path) -> Result<Counted, BackupError> {
     let store = SqlStore::open(&DatabaseLocation::Folder(folder.to_owned())).await?;
     let found = async {
         if !store.is_intact().await? {
-            return Err(BackupError::Damaged(folder.join(DATABASE)));
+            return Err(BackupError::Damaged(folder.join(DATABASE_FILE)));
         }
         let (mut n_blobs, mut n_bytes, mut n_missing, mut first) = (0, 0, 0, None);
         let mut after = None;
@@ -198,7 +195,7 @@ fn recreate(folder: &Path) -> Result<(), BackupError> {
     }
     private_files::create_dir_all(folder).map_err(at(folder))?;
     // Created with its final permissions before the copy is written into it.
-    let file = folder.join(DATABASE);
+    let file = folder.join(DATABASE_FILE);
     private_files::create_new(&file).map(|_| ()).map_err(at(&file))
 }
 
@@ -254,7 +251,7 @@ pub async fn restore(from: &Path, data_dir: &Path, keyring: Option<Arc<Keyring>>
         if hash_of(&database)? != manifest.database_blake3 {
             return Err(BackupError::Damaged(database));
         }
-        copy_file(&database, &folder.join(DATABASE))?;
+        copy_file(&database, &folder.join(DATABASE_FILE))?;
         copy_blobs(&source.join(BLOBS), &data.join(BLOBS), Known::ByContent)?;
         Ok(manifest)
     });
@@ -264,7 +261,7 @@ pub async fn restore(from: &Path, data_dir: &Path, keyring: Option<Arc<Keyring>>
     let data = data_dir.to_owned();
     blocking(move || {
         // Last: a data directory without this file holds no service.
-        fs::rename(draft.join(DATABASE), data.join(DATABASE)).map_err(at(&data))?;
+        fs::rename(draft.join(DATABASE_FILE), data.join(DATABASE_FILE)).map_err(at(&data))?;
         let _ = fs::remove_dir_all(&draft);
         sync_folder(&data)
     })
@@ -322,7 +319,7 @@ fn refuse_used(data_dir: &Path) -> Result<(), BackupError> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         read => read.map_err(at(data_dir))?,
     };
-    let is_empty = entries.flatten().all(|entry| entry.file_name() == SECRET_KEY);
+    let is_empty = entries.flatten().all(|entry| entry.file_name() == SECRET_KEY_FILE);
     if is_empty { Ok(()) } else { Err(BackupError::NotEmpty(data_dir.to_owned())) }
 }
 

@@ -3,7 +3,7 @@
 //! Authenticated encryption: AES-256 in Galois/counter mode with a random nonce (NIST SP 800-38D), by ring. The
 //! identity of the secret's owner is authenticated too, so that a secret cannot be moved to another record.
 
-use super::encryption::{Keyring, sealed_with};
+use super::keyring::{Keyring, sealed_with};
 use super::private_files;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;

@@ -1,7 +1,7 @@
 //! The cores and the memory of a process, and how much of them each job gets.
 
-use super::pool::WorkerSettings;
 use super::schedule::Room;
+use super::settings::WorkerSettings;
 use crate::jobs::Demand;
 
 /// How a process divides its cores and its memory among jobs.

@@ -1,32 +1,27 @@
 //! One job, from its claim to its end.
 //!
-//! Writes to a store that does not answer are repeated for [`STORE_TIMEOUT`]; the fence of the lease makes repeats harmless.
+//! Writes to a store that does not answer are repeated for a while ([`super::retry`]); the fence of the lease makes repeats harmless.
 
 use super::control::{Control, StopCause};
+use super::error_text::with_sources;
 use super::observer::JobObserver;
-use super::pool::{PoolParts, with_sources};
+use super::pool_parts::PoolParts;
 use super::priority::{lower_priority, own_threads};
+use super::retry::{is_transient, retrying};
 use super::study_material;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::{
-    Allotted, ArtifactKey, ArtifactKind, ArtifactRef, Computation, ComputeError, ComputeInputs, Failure, Job, JobError,
-    JobInput, Lease, LeasedJob, Outcome, Purpose, SurfaceSize, Tenant, TraceChunk,
+    Allotted, ArtifactKey, ArtifactKind, ArtifactRef, BLOB_HOLD, Computation, ComputeError, ComputeInputs, Failure,
+    Job, JobError, JobInput, Lease, LeasedJob, Outcome, Purpose, SurfaceSize, Tenant, TraceChunk,
 };
 use crate::spans::{Fact, Span};
-use std::future::Future;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::oneshot;
 use tokio::time::{MissedTickBehavior, interval, sleep, sleep_until};
 
-/// How long writing a result may take before its blobs are removed as unreferenced.
-const HOLD: Duration = Duration::from_secs(600);
-/// How long calls to a store that does not answer are repeated. After this time the lease expires and the job runs
-/// again.
-const STORE_TIMEOUT: Duration = Duration::from_secs(60);
-
-/// How long a job's cores stay unused after a store was unavailable for longer than [`STORE_TIMEOUT`].
+/// How long a job's cores stay unused after a store was unavailable for longer than calls are repeated.
 const AFTER_OUTAGE: Duration = Duration::from_secs(5);
 
 /// The value that the computation's thread returns.
@@ -40,6 +35,33 @@ enum Ending {
     Release,
     /// The job does not end here: another worker holds the lease.
     Abandon,
+}
+
+/// The end of a job, as the log and the metrics name it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum JobEnd {
+    Succeeded,
+    Failed,
+    Cancelled,
+    /// The job is in the queue again.
+    GivenBack,
+    /// Another worker holds the job, or it was deleted.
+    LeaseLost,
+    /// The store did not take the end of the job.
+    NotStored,
+}
+
+impl JobEnd {
+    fn label(self) -> &'static str {
+        match self {
+            JobEnd::Succeeded => "succeeded",
+            JobEnd::Failed => "failed",
+            JobEnd::Cancelled => "cancelled",
+            JobEnd::GivenBack => "given back",
+            JobEnd::LeaseLost => "lease lost",
+            JobEnd::NotStored => "not stored",
+        }
+    }
 }
 
 /// The resources that a computation may use.
@@ -103,13 +125,13 @@ pub(crate) async fn execute(
         tracing::warn!(study_id = %study, error = %with_sources(&error), "a study goes on later");
     }
     let elapsed_ms = u64::try_from(began.elapsed().as_millis()).unwrap_or(u64::MAX);
-    tracing::info!(job_id = %lease.job_id, epoch, elapsed_ms, end, "job ended");
-    span.set("homolog.end", Fact::Word(end));
-    if end != "succeeded" && end != "cancelled" {
+    tracing::info!(job_id = %lease.job_id, epoch, elapsed_ms, end = end.label(), "job ended");
+    span.set("homolog.end", Fact::Word(end.label()));
+    if !matches!(end, JobEnd::Succeeded | JobEnd::Cancelled) {
         span.fail();
     }
     drop(span);
-    metrics::counter!("homolog_jobs_finished_total", "end" => end).increment(1);
+    metrics::counter!("homolog_jobs_finished_total", "end" => end.label()).increment(1);
     metrics::histogram!("homolog_job_seconds").record(began.elapsed().as_secs_f64());
     if let Some(mut computed) = unfinished
         && control.cause() != Some(StopCause::Shutdown)
@@ -131,7 +153,7 @@ async fn run(
     control: &Arc<Control>,
     n_threads: usize,
     span: &Span,
-) -> (&'static str, Option<oneshot::Receiver<Computed>>) {
+) -> (JobEnd, Option<oneshot::Receiver<Computed>>) {
     let context = span.traceparent();
     let reading = Span::part("read inputs", context.as_deref());
     let inputs = if job.is_step() || job.is_score() {
@@ -326,9 +348,9 @@ fn decide(computed: Option<Computed>, cause: Option<StopCause>) -> Ending {
 }
 
 /// Stores the rest of the trace and the end of the job. Returns how it ended, for the log and the metrics.
-async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2], ending: Ending) -> &'static str {
+async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2], ending: Ending) -> JobEnd {
     if matches!(ending, Ending::Abandon) {
-        return "lease lost";
+        return JobEnd::LeaseLost;
     }
     let written = async {
         for chunk in rest.iter().flatten() {
@@ -342,7 +364,7 @@ async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2],
                     parts.store.finish_job(lease, &outcome, parts.settings.retention.of(&lease.tenant).results)
                 })
                 .await?;
-                Ok("succeeded")
+                Ok(JobEnd::Succeeded)
             }
             Ending::Fail(failure) => {
                 let outcome = Outcome::Failed(failure);
@@ -350,31 +372,31 @@ async fn settle(parts: &PoolParts, lease: &Lease, rest: [Option<TraceChunk>; 2],
                     parts.store.finish_job(lease, &outcome, parts.settings.retention.of(&lease.tenant).results)
                 })
                 .await?;
-                Ok("failed")
+                Ok(JobEnd::Failed)
             }
             Ending::Cancel => {
                 retrying(|| parts.store.finish_job(lease, &Outcome::Cancelled, None)).await?;
-                Ok("cancelled")
+                Ok(JobEnd::Cancelled)
             }
             Ending::Release => {
                 retrying(|| parts.store.release_job(lease)).await?;
-                Ok("given back")
+                Ok(JobEnd::GivenBack)
             }
-            Ending::Abandon => Ok("lease lost"),
+            Ending::Abandon => Ok(JobEnd::LeaseLost),
         }
     };
     match written.await {
-        Ok(name) => name,
-        Err(JobError::LeaseLost) => "lease lost",
+        Ok(end) => end,
+        Err(JobError::LeaseLost) => JobEnd::LeaseLost,
         // The result is lost and will be computed again. An unavailable blob store must not count as a crash.
         Err(error) if is_transient(&error) && parts.store.release_job(lease).await.is_ok() => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the result could not be stored");
             sleep(AFTER_OUTAGE).await;
-            "not stored"
+            JobEnd::NotStored
         }
         Err(error) => {
             tracing::error!(job_id = %lease.job_id, error = %with_sources(&error), "the job's end could not be stored");
-            "not stored"
+            JobEnd::NotStored
         }
     }
 }
@@ -389,31 +411,11 @@ async fn publish(parts: &PoolParts, lease: &Lease, products: Vec<Product>) -> Re
         .collect();
     let keys: Vec<_> = products.iter().map(|(artifact, _)| artifact.key.clone()).collect();
     let holder = lease.holder();
-    retrying(|| parts.store.hold_blobs(&holder, &keys, HOLD, Some(lease))).await?;
+    retrying(|| parts.store.hold_blobs(&holder, &keys, BLOB_HOLD, Some(lease))).await?;
     for (artifact, bytes) in &products {
         retrying(|| parts.artifacts.put(&artifact.key, bytes.clone())).await?;
     }
     Ok(products.into_iter().map(|(artifact, _)| artifact).collect())
-}
-
-/// Repeats `work` while the store does not answer, for up to [`STORE_TIMEOUT`].
-pub(super) async fn retrying<T, F: Future<Output = Result<T, JobError>>>(work: impl Fn() -> F) -> Result<T, JobError> {
-    let began = Instant::now();
-    let mut wait = Duration::from_millis(50);
-    loop {
-        match work().await {
-            Err(error) if is_transient(&error) && began.elapsed() < STORE_TIMEOUT => {
-                sleep(wait).await;
-                wait = (wait * 2).min(Duration::from_secs(2));
-            }
-            done => return done,
-        }
-    }
-}
-
-/// Whether the same call may succeed later.
-fn is_transient(error: &JobError) -> bool {
-    matches!(error, JobError::Unavailable(_) | JobError::StorageFull | JobError::BeingRemoved)
 }
 
 fn internal_error() -> Failure {

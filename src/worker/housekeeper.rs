@@ -1,6 +1,6 @@
 //! Periodic work of every process: requeues jobs of lost workers, advances studies, and removes unreferenced blobs.
 
-use super::pool::with_sources;
+use super::error_text::with_sources;
 use crate::jobs::{
     ArtifactStore, AuditEvent, AuditStore, ClockState, JobError, JobStore, Processes, Retentions, StudyProgression,
 };

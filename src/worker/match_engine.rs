@@ -3,15 +3,17 @@
 //! The only module that connects jobs with [`homolog_run`], [`homolog_run::intake`] and [`homolog_matching`];
 //! `study_engine` connects them with `homolog_study`.
 
+use super::file_name::file_name;
 use super::price::PriceLimit;
 use super::study_engine::{self, StudyStep};
 use super::study_score::{self, ScoreStep};
 use super::{prediction, presentation};
 use crate::jobs::engine::{Answer, MethodDescription, Product, Resolved};
-use crate::jobs::study::{SCORE_METHOD, STEP_METHOD, ScoreQuestions, StudyDefinition, StudyFault};
+use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault};
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, Engine, Failure, InputBytes, InputRefusal,
-    InputSummary, InputView, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SurfaceSize,
+    InputSummary, InputView, ParameterFault, PartFormat, PresentError, Purpose, ResultPart, SCORE_METHOD, STEP_METHOD,
+    SurfaceSize,
 };
 use bytes::Bytes;
 use homolog_contract::parameters::{MatchParameters, Method, preset, resolve};
@@ -222,11 +224,6 @@ fn answer(output: RunOutput) -> Result<Answer, Failure> {
         Product { kind: ArtifactKind::Aligned, bytes: write_ply(&aligned) },
     ];
     Ok(Answer { products, verdict: Some(document.verdict()) })
-}
-
-/// A file name that reveals only the format.
-pub(super) fn file_name(hint: &str) -> String {
-    format!("input{hint}")
 }
 
 fn refusal(error: &IntakeError) -> InputRefusal {

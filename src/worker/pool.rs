@@ -1,20 +1,16 @@
 //! The running jobs of a process: claimed when they can start, and run side by side while cores and memory suffice.
 
 use super::capacity::Capacity;
+use super::error_text::with_sources;
 use super::execution::execute;
-use super::heartbeat::Heartbeats;
-use super::quota::Quota;
+use super::pool_parts::PoolParts;
+use super::priority;
 use super::schedule::{Candidate, Room, startable};
-use super::{machine, priority};
-use crate::jobs::{
-    ArtifactStore, Computation, Demand, Engine, Failure, JobError, JobId, JobStore, LeasedJob, Retentions, Signals,
-    StudyProgression, WaitingJob, WorkerId,
-};
+use crate::jobs::{Computation, Demand, Engine, Failure, JobError, JobId, LeasedJob, WaitingJob};
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::task::{self, JoinError, JoinHandle, JoinSet};
-use tokio_util::sync::CancellationToken;
 
 /// Wait after the store did not answer.
 const AFTER_ERROR: Duration = Duration::from_secs(1);
@@ -26,82 +22,6 @@ const SEEN_EVERY: Duration = Duration::from_secs(15);
 /// Queued jobs that are read to find one that can start: more than start at once on any machine, and few enough that
 /// reading them takes a few milliseconds.
 const FRONT: u32 = 64;
-
-/// How workers behave.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct WorkerSettings {
-    /// Cores that jobs may use together.
-    pub cores: usize,
-    /// Memory that running jobs may be predicted to take together, bytes.
-    pub memory_bytes: u64,
-    /// Number of jobs that run at the same time, each with an equal share of the cores; `None`: as many as the cores
-    /// and the memory are predicted to suffice for.
-    pub slots: Option<usize>,
-    /// How long later jobs may overtake a job for which not enough cores or memory are free.
-    pub patience: Duration,
-    /// Duration of a lease.
-    pub lease: Duration,
-    /// How often leases are extended.
-    pub heartbeat: Duration,
-    /// How often the queue is read while idle.
-    pub poll: Duration,
-    /// How often trace and progress are stored.
-    pub flush: Duration,
-    /// Longest run of a job.
-    pub max_run: Duration,
-    /// How long a computation may take to stop before its job is ended without it.
-    pub stop_timeout: Duration,
-    /// How long results are kept.
-    pub retention: Retentions,
-    /// How long the cores of a computation that does not stop remain reserved before other jobs get them.
-    pub abandon_after: Duration,
-}
-
-impl Default for WorkerSettings {
-    fn default() -> Self {
-        WorkerSettings {
-            cores: machine::cores(),
-            memory_bytes: u64::MAX,
-            slots: None,
-            patience: Duration::from_secs(10),
-            lease: Duration::from_secs(15),
-            heartbeat: Duration::from_secs(3),
-            poll: Duration::from_millis(250),
-            flush: Duration::from_millis(200),
-            max_run: Duration::from_secs(3600),
-            retention: Retentions::default(),
-            stop_timeout: Duration::from_millis(500),
-            abandon_after: Duration::from_secs(10),
-        }
-    }
-}
-
-/// The dependencies of a pool.
-#[derive(Clone)]
-pub(crate) struct PoolParts {
-    /// Jobs.
-    pub(crate) store: Arc<dyn JobStore>,
-    /// Blobs.
-    pub(crate) artifacts: Arc<dyn ArtifactStore>,
-    /// Studies, and their progress.
-    pub(crate) studies: StudyProgression,
-    /// The computation.
-    pub(crate) engine: Arc<dyn Engine>,
-    /// Extends the leases, over separate database connections.
-    pub(crate) heartbeats: Arc<Heartbeats>,
-    /// The identity under which jobs are claimed.
-    pub(crate) worker: WorkerId,
-    /// Settings.
-    pub(crate) settings: WorkerSettings,
-    /// Notifications between this pool and the requests in this process that queue and follow jobs.
-    pub(crate) signals: Arc<Signals>,
-    /// When a process that only runs jobs exits by itself.
-    pub(crate) quota: Arc<Quota>,
-    /// When cancelled, no further job is claimed.
-    pub(crate) stop: CancellationToken,
-    /// When cancelled, running jobs return to the queue at once.
-    pub(crate) give_back: CancellationToken,
-}
 
 /// The running pool.
 #[derive(Debug)]
@@ -298,16 +218,4 @@ impl Dispatcher {
             () = tokio::time::sleep(at_most) => {}
         }
     }
-}
-
-/// The text of an error followed by the texts of its sources, for logs.
-pub(crate) fn with_sources(error: &dyn std::error::Error) -> String {
-    let mut text = error.to_string();
-    let mut source = error.source();
-    while let Some(cause) = source {
-        text.push_str(": ");
-        text.push_str(&cause.to_string());
-        source = cause.source();
-    }
-    text
 }

@@ -14,7 +14,7 @@ pub struct PriceLimit {
     cores: usize,
 }
 
-/// What a price that is not allowed is, and what is.
+/// A price above the limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Exceeded {
     /// The predicted processor time.
@@ -32,7 +32,7 @@ impl PriceLimit {
         PriceLimit { each_core: limit, cores: 1 }
     }
 
-    /// What a job can compute in `max_run` on the cores that it gets, at most `cores`, with a factor for the error of predictions.
+    /// The processor time that a job can take within `max_run` on the cores that it gets, at most `cores`, with a factor for the error of predictions.
     pub const fn of_run(max_run: Duration, cores: usize) -> Self {
         PriceLimit { each_core: max_run.saturating_mul(ERROR), cores }
     }

@@ -54,7 +54,7 @@ impl Room {
 /// The properties of a queued job that the rule uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Candidate {
-    /// What the job needs; at most the budget.
+    /// Room that the job needs; at most the budget.
     pub(crate) need: Room,
     /// How long the job has been waiting.
     pub(crate) waited: Duration,

@@ -1,8 +1,8 @@
 //! The inputs of a step of a study, read from the stores: its definition, the existing records and template, and the
 //! files of its subjects, each when it is needed.
 
-use super::execution::retrying;
-use super::pool::PoolParts;
+use super::pool_parts::PoolParts;
+use super::retry::retrying;
 use super::study_score;
 use crate::jobs::study::{StudyDefinition, StudyInputs, StudyMaterial, blob};
 use crate::jobs::{ArtifactKey, ArtifactStore, ComputeInputs, Job, JobError, Lease, Purpose, StudyBlob, Tenant};

@@ -2,10 +2,9 @@
 //!
 //! The subject is the last of the study's material and has the role `score`. Nothing of the study is stored again.
 
+use super::opened_study::{OpenedStudy, Watched, cohort, failure, internal_error, no_match, opened, settings};
 use super::prediction::predict;
-use super::study_engine::{
-    OpenedStudy, Watched, cohort, demand_of, failure, internal_error, no_match, opened, settings,
-};
+use super::study_demand::demand_of;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};
 use crate::jobs::{
@@ -39,10 +38,10 @@ pub(super) struct ScoreStep {
     parameters: MatchParameters,
 }
 
-/// What stored parameters ask about a new subject.
+/// Questions about a new subject in stored parameters.
 ///
 /// # Errors
-/// What they are not.
+/// That of `serde_json`, if the parameters have none.
 pub(super) fn asked(parameters: &Value) -> serde_json::Result<ScoreQuestions> {
     ScoreQuestions::deserialize(&parameters["score"])
 }
@@ -152,6 +151,6 @@ fn scored(
     }
     let found = score(&study, &matched, &folder, &decisions, (k, within(asked).as_ref()), &watcher)?;
     let bytes = serde_json::to_vec(&found.document(env!("HOMOLOG_COMMIT")))
-        .map_err(|error| StudyError::Settings(format!("a score cannot be written: {error}")))?;
+        .map_err(|error| StudyError::Internal(format!("a score cannot be written: {error}")))?;
     Ok(Product { kind: ArtifactKind::StudyScore, bytes })
 }

@@ -8,7 +8,7 @@
 //! If a delivery was sent but its success could not be recorded, it is sent again under the same id, by which the
 //! receiver can recognize it.
 
-use super::pool::with_sources;
+use super::error_text::with_sources;
 use crate::jobs::address::{NOT_PUBLIC, check_url, is_public};
 use crate::jobs::{Attempted, DueDelivery, JobError, Turn, TurnLimits, WebhookStore};
 use crate::spans::{Fact, Span};

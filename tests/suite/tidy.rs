@@ -83,6 +83,7 @@ const ARROWS: &[(&str, &[&str])] = &[
             "store::artifacts",
             "store::backup",
             "store::encryption",
+            "store::layout",
             "store::sql",
             "telemetry",
             "worker::isolation",

@@ -385,6 +385,8 @@ pub struct Correspondences {
 
 /// Which surface is bent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum WarpDirection {
     /// The source onto the target.
     Forward,
@@ -404,6 +406,8 @@ impl WarpDirection {
 
 /// The coordinates in which a bent surface is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum WarpSpace {
     /// Those of the source.
     Source,

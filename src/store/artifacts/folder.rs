@@ -5,7 +5,7 @@
 
 use super::NOT_THERE;
 use super::pieces::in_pieces;
-use super::sealed::StoredBlobs;
+use super::stored_blobs::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
 use crate::store::{private_files, reserve};
 use async_trait::async_trait;

@@ -6,7 +6,7 @@
 
 use super::NOT_THERE;
 use super::pieces::in_pieces;
-use super::sealed::StoredBlobs;
+use super::stored_blobs::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
 use crate::store::space::Space;
 use async_trait::async_trait;

@@ -8,8 +8,9 @@
 //! they are and always compared with their hashes.
 
 use super::pieces::in_pieces;
+use super::stored_blobs::StoredBlobs;
 use crate::jobs::{ArtifactKey, ArtifactStore, ArtifactWriter, BlobStream, JobError, Tenant};
-use crate::store::encryption::{Keyring, OVERHEAD, Resealed, content_cipher, random_key, sealed_with};
+use crate::store::keyring::{Keyring, OVERHEAD, content_cipher, random_key, sealed_with};
 use async_trait::async_trait;
 use bytes::{Bytes, BytesMut};
 use futures_util::TryStreamExt as _;
@@ -28,11 +29,15 @@ pub(crate) const FOOTER: u64 = (32 + OVERHEAD) as u64;
 /// Memory of a reader of a blob, bytes.
 const PIECE: u64 = 8 * CHUNK;
 
-/// A store whose stored bytes can be read unchanged.
-#[async_trait]
-pub trait StoredBlobs: ArtifactStore {
-    /// The bytes stored under `key`, even if they do not match the hash in the address.
-    async fn stored(&self, key: &ArtifactKey) -> Result<Bytes, JobError>;
+/// What a rotation does with a blob.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::store) enum Resealed {
+    /// Nothing: the blob is already encrypted with the current key.
+    Not,
+    /// The blob's key was encrypted with the current key.
+    Rewrapped,
+    /// The blob was encrypted for the first time.
+    Encrypted,
 }
 
 /// A store that holds blobs encrypted.

@@ -1,7 +1,8 @@
 //! The audit log: one chain to which all processes append row by row.
 
 use super::SqlStore;
-use super::database::{Row, Session, bind};
+use super::argument::bind;
+use super::database::{Row, Session};
 use super::dialect::sql;
 use crate::jobs::{AuditEvent, AuditHead, AuditRow, AuditStore, JobError};
 use async_trait::async_trait;

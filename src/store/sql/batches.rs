@@ -1,6 +1,7 @@
 //! Batches with the numbers of their jobs in each state.
 
-use super::database::{Row, Session, bind};
+use super::argument::bind;
+use super::database::{Row, Session};
 use super::dialect::sql;
 use super::rows;
 use crate::jobs::job::Cursor;

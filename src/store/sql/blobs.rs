@@ -6,9 +6,10 @@
 //! that finds the mark waits until the row is deleted and then writes the blob again.
 
 use super::SqlStore;
-use super::database::{Session, bind};
+use super::argument::bind;
+use super::database::Session;
 use super::dialect::sql;
-use super::leasing::lock_lease;
+use super::fence::lock_lease;
 use crate::jobs::{ArtifactKey, ArtifactStore, BlobHolds, JobError, JobId, Lease, Tenant};
 use async_trait::async_trait;
 use std::time::{Duration, Instant};

@@ -5,7 +5,8 @@
 //! Numbers assigned by the inserting transactions would not guarantee this, because those commit in any order. Each
 //! tenant has its own numbers.
 
-use super::database::{Database, Session, bind};
+use super::argument::bind;
+use super::database::{Database, Session};
 use super::dialect::sql;
 use super::rows;
 use crate::jobs::change::Change;

@@ -2,7 +2,8 @@
 //! results, and a jump of the clock loses no job.
 
 use super::SqlStore;
-use super::database::{Session, bind};
+use super::argument::bind;
+use super::database::Session;
 use super::dialect::sql;
 use crate::jobs::{ClockState, JobError};
 use std::sync::atomic::{AtomicBool, Ordering};

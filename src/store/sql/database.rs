@@ -8,10 +8,12 @@
 //! their connection instead of returning it to the pool, so that no later caller receives a connection in an unknown
 //! state.
 
+use super::argument::Argument;
 use super::dialect::{Dialect, Sql};
 use super::driver_errors::{domain_error, is_end_of_session, lost, refuse_nul};
 use super::migrations::{POSTGRES, SQLITE, migrator};
 use crate::jobs::JobError;
+use crate::store::layout::DATABASE_FILE;
 use crate::store::private_files;
 use crate::store::space::Space;
 use sqlx::migrate::MigrateError;
@@ -34,6 +36,10 @@ const CHECKPOINT_TIMEOUT: Duration = Duration::from_millis(200);
 const POSTGRES_TIMEOUT: Duration = Duration::from_secs(10);
 /// Time limit for a connection to PostgreSQL.
 const CONNECT_TIMEOUT: Duration = Duration::from_secs(5);
+/// Time that a server has to take leave of this process at its exit.
+const CLOSE_TIMEOUT: Duration = Duration::from_secs(2);
+/// Pause before announcements of queued jobs are followed again after the connection for them was lost.
+const RELISTEN_PAUSE: Duration = Duration::from_secs(5);
 /// Read connections to SQLite; each is a thread, and reads are short.
 pub(super) const READERS: u32 = 4;
 /// A process that stalls inside a transaction keeps rows locked; PostgreSQL ends such a transaction after this time.
@@ -58,14 +64,11 @@ pub enum DatabaseLocation {
     },
 }
 
-/// The file of a SQLite database in its folder.
-const SQLITE_FILE: &str = "homolog.sqlite";
-
 impl DatabaseLocation {
     /// Whether the folder contains a database. A server is assumed to have one, since only a connection could tell.
     pub fn is_there(&self) -> bool {
         match self {
-            DatabaseLocation::Folder(folder) => folder.join(SQLITE_FILE).is_file(),
+            DatabaseLocation::Folder(folder) => folder.join(DATABASE_FILE).is_file(),
             DatabaseLocation::Postgres { .. } => true,
         }
     }
@@ -188,7 +191,7 @@ impl Database {
                 writer.close().await;
             }
             // A server that does not answer must not delay the exit of this process.
-            Database::Postgres { pool, .. } => drop(tokio::time::timeout(Duration::from_secs(2), pool.close()).await),
+            Database::Postgres { pool, .. } => drop(tokio::time::timeout(CLOSE_TIMEOUT, pool.close()).await),
         }
     }
 
@@ -223,7 +226,7 @@ impl Database {
             if let Err(error) = listened {
                 tracing::debug!(%error, "no notifications from the database; the queue is still polled");
             }
-            tokio::time::sleep(Duration::from_secs(5)).await;
+            tokio::time::sleep(RELISTEN_PAUSE).await;
         }
     }
 
@@ -255,13 +258,13 @@ async fn in_transaction<T>(
 
 async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
     // Created here before SQLite creates it; SQLite's log gets the permissions of this file.
-    let file = folder.join(SQLITE_FILE);
+    let file = folder.join(DATABASE_FILE);
     tokio::task::spawn_blocking(move || private_files::create(&file))
         .await
         .map_err(|join| JobError::Unavailable(Box::new(join)))?
         .map_err(|error| JobError::Unavailable(Box::new(error)))?;
     let options = SqliteConnectOptions::new()
-        .filename(folder.join(SQLITE_FILE))
+        .filename(folder.join(DATABASE_FILE))
         .create_if_missing(true)
         .journal_mode(SqliteJournalMode::Wal)
         .synchronous(SqliteSynchronous::Full)
@@ -348,68 +351,6 @@ impl Drop for Session {
         }
     }
 }
-
-/// A value bound to a parameter of a statement.
-#[derive(Debug, Clone)]
-pub(super) enum Argument {
-    Text(Option<String>),
-    Integer(Option<i64>),
-    Real(Option<f64>),
-    Flag(bool),
-}
-
-macro_rules! arguments_from {
-    ($($type:ty => |$value:ident| $argument:expr;)*) => {
-        $(impl From<$type> for Argument {
-            fn from($value: $type) -> Self {
-                $argument
-            }
-        })*
-    };
-}
-
-arguments_from! {
-    &str => |v| Argument::Text(Some(v.to_owned()));
-    &String => |v| Argument::Text(Some(v.clone()));
-    String => |v| Argument::Text(Some(v));
-    Option<String> => |v| Argument::Text(v);
-    &Option<String> => |v| Argument::Text(v.clone());
-    Option<&str> => |v| Argument::Text(v.map(str::to_owned));
-    i64 => |v| Argument::Integer(Some(v));
-    i32 => |v| Argument::Integer(Some(v.into()));
-    u32 => |v| Argument::Integer(Some(v.into()));
-    u64 => |v| Argument::Integer(Some(i64::try_from(v).unwrap_or(i64::MAX)));
-    Option<i64> => |v| Argument::Integer(v);
-    Option<u64> => |v| Argument::Integer(v.map(|v| i64::try_from(v).unwrap_or(i64::MAX)));
-    Option<u32> => |v| Argument::Integer(v.map(i64::from));
-    f64 => |v| Argument::Real(Some(v));
-    Option<f64> => |v| Argument::Real(v);
-    bool => |v| Argument::Flag(v);
-    std::time::Duration => |v| Argument::Integer(Some(milliseconds(v)));
-    Option<std::time::Duration> => |v| Argument::Integer(v.map(milliseconds));
-    crate::jobs::JobId => |v| Argument::Text(Some(v.to_string()));
-    Option<crate::jobs::JobId> => |v| Argument::Text(v.map(|id| id.to_string()));
-    crate::jobs::BatchId => |v| Argument::Text(Some(v.to_string()));
-    Option<crate::jobs::BatchId> => |v| Argument::Text(v.map(|id| id.to_string()));
-    crate::jobs::StudyId => |v| Argument::Text(Some(v.to_string()));
-    Option<crate::jobs::StudyId> => |v| Argument::Text(v.map(|id| id.to_string()));
-    crate::jobs::JobState => |v| Argument::Text(Some(v.name().to_owned()));
-    &crate::jobs::Tenant => |v| Argument::Text(Some(v.name().to_owned()));
-    Option<jiff::Timestamp> => |v| Argument::Integer(v.map(jiff::Timestamp::as_millisecond));
-}
-
-/// A duration in ms, as stored in the database.
-fn milliseconds(duration: Duration) -> i64 {
-    i64::try_from(duration.as_millis()).unwrap_or(i64::MAX / 4)
-}
-
-/// The parameters of a statement, in order.
-macro_rules! bind {
-    ($($value:expr),* $(,)?) => {
-        vec![$($crate::store::sql::database::Argument::from($value)),*]
-    };
-}
-pub(super) use bind;
 
 /// A row of a result set.
 #[derive(Debug)]
@@ -590,6 +531,7 @@ async fn in_time<T>(limit: Duration, answer: impl Future<Output = Result<T, sqlx
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::store::sql::argument::bind;
     use crate::store::sql::dialect::sql;
 
     async fn sqlite() -> (tempfile::TempDir, Database) {

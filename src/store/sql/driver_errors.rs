@@ -1,6 +1,6 @@
 //! Conversion of driver errors to errors of the port.
 
-use super::database::Argument;
+use super::argument::Argument;
 use crate::jobs::JobError;
 
 /// Whether the server is closing this session, for example because it shuts down.

@@ -1,7 +1,7 @@
 //! The id of the key that encrypts the blobs of this service, so that no process starts without the key and stores
 //! blobs unencrypted; and the mark that identifies the blob store of this service.
 
-use super::database::bind;
+use super::argument::bind;
 use super::dialect::sql;
 use super::{SqlStore, StoredBlob};
 use crate::jobs::JobError;

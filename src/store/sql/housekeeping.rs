@@ -1,7 +1,8 @@
 //! Periodic work of every process: requeue jobs of lost workers, end overdue jobs, and purge records past their
 //! retention.
 
-use super::database::{Row, Session, bind};
+use super::argument::bind;
+use super::database::{Row, Session};
 use super::dialect::sql;
 use super::writing::end_job;
 use super::{SqlStore, retention, rows};

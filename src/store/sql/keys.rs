@@ -1,6 +1,7 @@
 //! Records of API keys.
 
-use super::database::{Row, bind};
+use super::argument::bind;
+use super::database::Row;
 use super::dialect::sql;
 use super::leasing::lock_turns;
 use super::{SqlStore, rows};

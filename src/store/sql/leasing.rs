@@ -1,7 +1,9 @@
 //! The queue: from the claim of a job to its end, fenced by the lease's epoch.
 
-use super::database::{Row, Session, bind};
+use super::argument::bind;
+use super::database::{Row, Session};
 use super::dialect::{Sql, sql};
+use super::fence::lock_lease;
 use super::writing::{end_job, insert_artifact};
 use super::{SqlStore, StoreSettings, blobs, rows};
 use crate::jobs::{
@@ -10,13 +12,6 @@ use crate::jobs::{
 };
 use async_trait::async_trait;
 use std::time::Duration;
-
-/// The fence: returns [`JobError::LeaseLost`] unless the job is running under exactly this epoch; its row stays locked
-/// until the transaction ends. Returns whether its cancellation was requested.
-pub(super) async fn lock_lease(session: &mut Session, lease: &Lease) -> Result<bool, JobError> {
-    let held: Option<bool> = session.value(sql!("lock_lease"), bind![lease.job_id, lease.epoch]).await?;
-    held.ok_or(JobError::LeaseLost)
-}
 
 fn status(cancel_requested: Option<bool>) -> LeaseStatus {
     match cancel_requested {

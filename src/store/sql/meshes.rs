@@ -1,6 +1,7 @@
 //! Records of uploads, and the outcomes of their checks.
 
-use super::database::{Row, bind};
+use super::argument::bind;
+use super::database::Row;
 use super::dialect::sql;
 use super::{SqlStore, blobs, rows};
 use crate::jobs::{ArtifactKey, CheckOutcome, JobError, Mesh, MeshPage, MeshStore, Tenant};

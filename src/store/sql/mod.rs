@@ -13,8 +13,9 @@
 //! [`housekeeping`] ([`crate::jobs::Housekeeping`]), [`meshes`], [`studies`], [`keys`], [`audit`], [`webhooks`]. Other
 //! files: [`batches`], [`changes`] (the feed), [`clock`] (whether it is plausible), [`once`] (idempotency keys),
 //! [`retention`], [`inspection`] (copies and checks of a whole database), [`encryption`] (which key encrypts blobs),
-//! [`rows`] (from rows to records), [`driver_errors`].
+//! [`fence`] (of a lease), [`argument`] (bound values), [`rows`] (from rows to records), [`driver_errors`].
 
+mod argument;
 mod audit;
 mod batches;
 mod blobs;
@@ -24,6 +25,7 @@ mod database;
 mod dialect;
 mod driver_errors;
 mod encryption;
+mod fence;
 mod housekeeping;
 mod inspection;
 mod keys;
@@ -42,8 +44,9 @@ pub use database::DatabaseLocation;
 
 use crate::jobs::{JobError, JobStore, Tenant, TenantWeights};
 use crate::store::seal::Seal;
+use argument::bind;
 use async_trait::async_trait;
-use database::{Database, Row, bind};
+use database::{Database, Row};
 use dialect::sql;
 use std::path::Path;
 use std::sync::Arc;

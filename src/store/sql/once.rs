@@ -1,6 +1,7 @@
 //! Idempotency keys: a request with a key is carried out once, and its outcome is recorded in the same transaction.
 
-use super::database::{Session, bind};
+use super::argument::bind;
+use super::database::Session;
 use super::dialect::sql;
 use crate::jobs::{IdempotencyKey, JobError, Made, OnceStatus};
 use std::time::Duration;

@@ -1,6 +1,7 @@
 //! Jobs, batches, traces and the feed of changes, as clients read them.
 
-use super::database::{Argument, Session, bind};
+use super::argument::{Argument, bind};
+use super::database::Session;
 use super::dialect::{sql, with_options};
 use super::{SqlStore, batches, changes, rows};
 use crate::jobs::job::{Cursor, Order};

@@ -3,7 +3,8 @@
 //! Each job is removed in its own transaction: a purge of thousands of jobs holds no lock for long, and the next purge
 //! continues an interrupted one.
 
-use super::database::{Row, Session, bind};
+use super::argument::bind;
+use super::database::{Row, Session};
 use super::dialect::sql;
 use super::{SqlStore, blobs, rows, studies, writing};
 use crate::jobs::{Concerned, JobError, JobId, MeshStore, Purged, Retention, Retentions, StudyStore};

@@ -1,6 +1,7 @@
 //! Studies: their state, and the blobs to which they refer.
 
-use super::database::{Row, Session, bind};
+use super::argument::bind;
+use super::database::{Row, Session};
 use super::dialect::sql;
 use super::writing::{delete_job, end_job, insert_job, refuse_when_full};
 use super::{SqlStore, blobs, once, rows};

@@ -1,6 +1,7 @@
 //! Records of webhooks and of their deliveries.
 
-use super::database::{Argument, Row, Session, bind};
+use super::argument::{Argument, bind};
+use super::database::{Row, Session};
 use super::dialect::sql;
 use super::{SqlStore, changes, rows};
 use crate::jobs::job::Cursor;

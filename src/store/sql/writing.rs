@@ -1,6 +1,7 @@
 //! Writes on behalf of clients: submissions, their idempotency keys, cancellation and deletion.
 
-use super::database::{Session, bind};
+use super::argument::bind;
+use super::database::Session;
 use super::dialect::sql;
 use super::reading::{get_job, queue_length};
 use super::{SqlStore, batches, blobs, once, rows};

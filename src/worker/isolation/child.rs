@@ -166,7 +166,7 @@ fn answer(
                     part
                 })
                 .collect();
-            match engine.present(part.into(), format, &stored) {
+            match engine.present(part, format, &stored) {
                 Ok(made) => (Outcome::Made, made),
                 Err(error) => nothing(Outcome::NotMade(error.into())),
             }

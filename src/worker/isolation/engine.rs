@@ -197,7 +197,7 @@ impl Engine for IsolatedEngine {
             |why: String| PresentError::Unreadable { what: "a stored part of a result", source: Some(why.into()) };
         let lengths: Vec<usize> = stored.iter().map(|blob| blob.len()).collect();
         let n_bytes: usize = lengths.iter().sum();
-        let request = Request::Present { part: part.into(), format, lengths };
+        let request = Request::Present { part, format, lengths };
         match self.shared.once(&request, stored, n_bytes as u64) {
             Ok((Outcome::Made, made)) => Ok(made),
             Ok((Outcome::NotMade(why), _)) => Err(why.error(part, format)),

@@ -5,7 +5,7 @@
 
 use crate::jobs::study::StudyDefinition;
 use crate::jobs::{ArtifactKind, Failure, InputRefusal, InputSummary, InputView, PartFormat, PresentError, ResultPart};
-use homolog_contract::result::{WarpDirection, WarpSpace};
+use crate::worker::error_text::with_sources;
 use homolog_contract::verdict::Verdict;
 use homolog_primitives::observe::{Phase, TracePoint};
 use homolog_run::intake::IntakeLimits;
@@ -72,7 +72,7 @@ pub(super) enum Request {
     /// Convert the blobs in the body.
     Present {
         /// The part.
-        part: WirePart,
+        part: ResultPart,
         /// The format.
         format: PartFormat,
         /// The lengths of the blobs, in order.
@@ -80,61 +80,6 @@ pub(super) enum Request {
     },
     /// Try the actions that a computation must not be able to perform.
     Attempt,
-}
-
-/// The wire form of [`ResultPart`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum WirePart {
-    /// As in [`ResultPart`].
-    Correspondences { inverse: bool },
-    /// As in [`ResultPart`].
-    Transform,
-    /// As in [`ResultPart`].
-    SourceSurface,
-    /// As in [`ResultPart`].
-    TargetSurface,
-    /// As in [`ResultPart`].
-    Aligned,
-    /// As in [`ResultPart`].
-    Warped { inverse: bool, in_target: bool },
-    /// As in [`ResultPart`].
-    Report,
-}
-
-impl From<ResultPart> for WirePart {
-    fn from(part: ResultPart) -> Self {
-        let is_inverse = |direction| direction == WarpDirection::Inverse;
-        match part {
-            ResultPart::Correspondences { direction } => WirePart::Correspondences { inverse: is_inverse(direction) },
-            ResultPart::Transform => WirePart::Transform,
-            ResultPart::SourceSurface => WirePart::SourceSurface,
-            ResultPart::TargetSurface => WirePart::TargetSurface,
-            ResultPart::Aligned => WirePart::Aligned,
-            ResultPart::Warped { direction, space } => {
-                WirePart::Warped { inverse: is_inverse(direction), in_target: space == WarpSpace::Target }
-            }
-            ResultPart::Report => WirePart::Report,
-        }
-    }
-}
-
-impl From<WirePart> for ResultPart {
-    fn from(part: WirePart) -> Self {
-        let direction = |inverse| if inverse { WarpDirection::Inverse } else { WarpDirection::Forward };
-        match part {
-            WirePart::Correspondences { inverse } => ResultPart::Correspondences { direction: direction(inverse) },
-            WirePart::Transform => ResultPart::Transform,
-            WirePart::SourceSurface => ResultPart::SourceSurface,
-            WirePart::TargetSurface => ResultPart::TargetSurface,
-            WirePart::Aligned => ResultPart::Aligned,
-            WirePart::Warped { inverse, in_target } => ResultPart::Warped {
-                direction: direction(inverse),
-                space: if in_target { WarpSpace::Target } else { WarpSpace::Source },
-            },
-            WirePart::Report => ResultPart::Report,
-        }
-    }
 }
 
 /// A message from a child. Every message after the first one belongs to a request.
@@ -214,7 +159,7 @@ impl From<PresentError> for NotMade {
             PresentError::NoInverse => NotMade::NoInverse,
             PresentError::NotDicom => NotMade::NotDicom,
             PresentError::NoSegmentation => NotMade::NoSegmentation,
-            error @ PresentError::Unreadable { .. } => NotMade::Unreadable(crate::worker::pool::with_sources(&error)),
+            error @ PresentError::Unreadable { .. } => NotMade::Unreadable(with_sources(&error)),
         }
     }
 }
@@ -257,6 +202,7 @@ pub(super) struct Confinement {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::jobs::{WarpDirection, WarpSpace};
     use proptest::prelude::*;
 
     proptest! {
@@ -287,7 +233,8 @@ mod tests {
             ResultPart::Report,
         ];
         for part in warped.into_iter().flatten().chain(pairs).chain(others) {
-            assert_eq!(ResultPart::from(WirePart::from(part)), part);
+            let text = serde_json::to_string(&part).unwrap();
+            assert_eq!(serde_json::from_str::<ResultPart>(&text).unwrap(), part, "{text}");
         }
     }
 

@@ -12,7 +12,7 @@ use crate::folder::{Decision, Folder, json};
 use crate::matching::{Interruption, StudyObserver};
 use crate::measures::measured;
 use crate::model::ShapeModel;
-use crate::normative::{Bound, Calibration, LeaveOneOut, Norm, largest};
+use crate::normative::{Bound, Calibration, Norm, largest};
 use crate::plan::{Matched, Records, Study};
 use crate::settings::{Measure, Settings};
 use crate::subjects::SubjectOutcome;

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 /// An image triangle with less than this share of the mean area of target triangles is degenerate.
-pub const DEGENERATE_AREA_SHARE: f64 = 1e-6;
+pub(crate) const DEGENERATE_AREA_SHARE: f64 = 1e-6;
 
 /// The measures of [`topology_consistency`].
 #[derive(Debug, Clone, Copy, PartialEq)]

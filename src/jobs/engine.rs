@@ -7,7 +7,8 @@
 use super::artifact::ArtifactKind;
 use super::demand::{Demand, SurfaceSize};
 use super::documents::Verdict;
-pub use super::input_check::{InputRefusal, InputSummary};
+pub(crate) use super::input_check::InputRefusal;
+use super::input_check::InputSummary;
 use super::job::Failure;
 use super::result_part::{PartFormat, PresentError, ResultPart};
 use super::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};

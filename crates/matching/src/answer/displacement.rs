@@ -21,7 +21,7 @@ pub(crate) struct DisplacementAnswer {
     pub residual_mm: f64,
     /// How well the surfaces agree after the deformation.
     pub agreement: Agreement,
-    /// Mean angular distortion of the deformation, [`crate::field::strain::distortion`].
+    /// Mean angular distortion of the deformation, mean of `ln(σ₁/σ₂)` over the triangles.
     pub distortion: f64,
 }
 

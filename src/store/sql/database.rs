@@ -22,7 +22,7 @@ use sqlx::postgres::{PgConnectOptions, PgListener, PgPool, PgPoolOptions, PgRow}
 use sqlx::sqlite::{
     SqliteConnectOptions, SqliteJournalMode, SqlitePool, SqlitePoolOptions, SqliteRow, SqliteSynchronous,
 };
-use sqlx::{AssertSqlSafe, ColumnIndex, ConnectOptions as _, Connection as _, Postgres, Row as _, Sqlite};
+use sqlx::{AssertSqlSafe, ColumnIndex, ConnectOptions as _, Postgres, Row as _, Sqlite};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
@@ -90,14 +90,6 @@ impl Database {
             DatabaseLocation::Folder(folder) => open_sqlite(folder).await,
             DatabaseLocation::Postgres { url, max_connections, notify } => {
                 let options = PgConnectOptions::from_str(url).map_err(domain_error)?.application_name("homolog");
-                // The pool reports only that it found no connection in time; the first one says why.
-                let first = tokio::time::timeout(CONNECT_TIMEOUT, options.connect()).await;
-                first
-                    .unwrap_or(Err(sqlx::Error::PoolTimedOut))
-                    .map_err(domain_error)?
-                    .close()
-                    .await
-                    .map_err(domain_error)?;
                 let pool = PgPoolOptions::new()
                     .max_connections(*max_connections)
                     .acquire_timeout(CONNECT_TIMEOUT)
@@ -106,9 +98,13 @@ impl Database {
                     })
                     // Every statement has a time limit and failing connections are closed: no test query is needed.
                     .test_before_acquire(false)
-                    .connect_with(options)
-                    .await
-                    .map_err(domain_error)?;
+                    .connect_with(options.clone())
+                    .await;
+                let pool = match pool {
+                    // The pool waits for a server that starts, and says only that it found none in time.
+                    Err(sqlx::Error::PoolTimedOut) => return Err(domain_error(why_unreachable(&options).await)),
+                    pool => pool.map_err(domain_error)?,
+                };
                 migrator(POSTGRES).run(&pool).await.map_err(migration_error)?;
                 Ok(Database::Postgres { pool, notify: *notify, space: Arc::default() })
             }
@@ -289,6 +285,14 @@ async fn open_sqlite(folder: &Path) -> Result<Database, JobError> {
         .await
         .map_err(domain_error)?;
     Ok(Database::Sqlite { writer, readers, space: Arc::default() })
+}
+
+/// Error of a single connection to a server to which a pool finds no connection.
+async fn why_unreachable(options: &PgConnectOptions) -> sqlx::Error {
+    match tokio::time::timeout(CONNECT_TIMEOUT, options.connect()).await {
+        Ok(Err(error)) => error,
+        Ok(Ok(_)) | Err(_) => sqlx::Error::PoolTimedOut,
+    }
 }
 
 /// A migration that this program does not know is one of a newer release.

@@ -43,7 +43,7 @@ impl Pair<'_> {
         interrupt: &Interrupt,
         title: Option<&str>,
     ) -> Result<(RunOutput, Vec<TimedPoint>), CliError> {
-        let observer = StudyObserver::new(interrupt.clone(), title);
+        let observer = MatchObserver::new(interrupt.clone(), title);
         let file = |(path, bytes)| InputFile { bytes, name: file_name(path) };
         let outcome = run_match_with(surfaces, file(self.source), file(self.target), parameters, limits, &observer);
         let trace = observer.finish();
@@ -184,18 +184,18 @@ pub(super) struct TimedPoint {
 }
 
 /// Shows progress, records the trace and forwards an interrupt.
-struct StudyObserver {
+struct MatchObserver {
     started: Instant,
     progress: Progress,
     interrupt: Interrupt,
     trace: Mutex<Vec<TimedPoint>>,
 }
 
-impl StudyObserver {
+impl MatchObserver {
     fn new(interrupt: Interrupt, title: Option<&str>) -> Self {
         let progress = Progress::new(WithoutTerminal::Silent);
         progress.title(title.unwrap_or_default());
-        StudyObserver { started: Instant::now(), progress, interrupt, trace: Mutex::default() }
+        MatchObserver { started: Instant::now(), progress, interrupt, trace: Mutex::default() }
     }
 
     fn finish(self) -> Vec<TimedPoint> {
@@ -203,7 +203,7 @@ impl StudyObserver {
     }
 }
 
-impl Observer for StudyObserver {
+impl Observer for MatchObserver {
     fn phase(&self, phase: Phase) {
         self.progress.phase(phase.name());
     }

@@ -1,8 +1,8 @@
 //! JSON documents of the answers.
 
 use super::problem::{ProblemDocument, failure_document};
+use crate::jobs::InputRefusal;
 use crate::jobs::documents::{InputReport, MatchParameters, ResultDocument, SurfaceDistanceDocument, UnreliableReason};
-use crate::jobs::engine::InputRefusal;
 use crate::jobs::mesh::content_id;
 use crate::jobs::{
     Batch, Change, ChangePage, CheckOutcome, Failure, InputSummary, Job, JobInput, JobPage, JobState, Mesh,

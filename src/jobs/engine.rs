@@ -7,8 +7,7 @@
 use super::artifact::ArtifactKind;
 use super::demand::{Demand, SurfaceSize};
 use super::documents::Verdict;
-pub(crate) use super::input_check::InputRefusal;
-use super::input_check::InputSummary;
+use super::input_check::{InputRefusal, InputSummary};
 use super::job::Failure;
 use super::result_part::{PartFormat, PresentError, ResultPart};
 use super::study::{ScoreQuestions, StudyDefinition, StudyFault, StudyMaterial};

@@ -1,23 +1,51 @@
 //! Identities of jobs, batches and studies, and the names of the methods that only jobs of a study have.
 
-/// Identity of a job: a UUIDv7, so that ids sort by creation time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct JobId(uuid::Uuid);
+/// An identity: a UUIDv7.
+macro_rules! identity {
+    ($(#[$doc:meta])* $name:ident, $new:ident) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub struct $name(uuid::Uuid);
+
+        impl $name {
+            /// A new id.
+            pub fn $new() -> Self {
+                $name(uuid::Uuid::now_v7())
+            }
+
+            /// The id written in `text`, in the usual hyphenated form.
+            pub fn parse(text: &str) -> Option<Self> {
+                if text.len() != 36 {
+                    return None;
+                }
+                uuid::Uuid::try_parse(text).ok().map($name)
+            }
+        }
+
+        impl std::fmt::Display for $name {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                self.0.as_hyphenated().fmt(f)
+            }
+        }
+    };
+}
+
+identity! {
+    /// Identity of a job: a UUIDv7, so that ids sort by creation time.
+    JobId, new
+}
+
+identity! {
+    /// Identity of a batch: a UUIDv7.
+    BatchId, random
+}
+
+identity! {
+    /// Identity of a study: a UUIDv7.
+    StudyId, random
+}
 
 impl JobId {
-    /// A new id.
-    pub fn new() -> Self {
-        JobId(uuid::Uuid::now_v7())
-    }
-
-    /// The id written in `text`, in the usual hyphenated form.
-    pub fn parse(text: &str) -> Option<Self> {
-        if text.len() != 36 {
-            return None;
-        }
-        uuid::Uuid::try_parse(text).ok().map(JobId)
-    }
-
     /// The id itself.
     pub(crate) fn uuid(self) -> uuid::Uuid {
         self.0
@@ -27,62 +55,6 @@ impl JobId {
 impl Default for JobId {
     fn default() -> Self {
         JobId::new()
-    }
-}
-
-impl std::fmt::Display for JobId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.as_hyphenated().fmt(f)
-    }
-}
-
-/// Identity of a batch: a UUIDv7.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct BatchId(uuid::Uuid);
-
-impl BatchId {
-    /// A new id.
-    pub fn random() -> Self {
-        BatchId(uuid::Uuid::now_v7())
-    }
-
-    /// The id written in `text`, in the usual hyphenated form.
-    pub fn parse(text: &str) -> Option<Self> {
-        if text.len() != 36 {
-            return None;
-        }
-        uuid::Uuid::try_parse(text).ok().map(BatchId)
-    }
-}
-
-impl std::fmt::Display for BatchId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        self.0.as_hyphenated().fmt(f)
-    }
-}
-
-/// Identity of a study: a UUIDv7.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct StudyId(uuid::Uuid);
-
-impl StudyId {
-    /// A new id.
-    pub fn random() -> Self {
-        StudyId(uuid::Uuid::now_v7())
-    }
-
-    /// The id written in `text`, in the usual hyphenated form.
-    pub fn parse(text: &str) -> Option<Self> {
-        if text.len() != 36 {
-            return None;
-        }
-        uuid::Uuid::try_parse(text).ok().map(StudyId)
-    }
-}
-
-impl std::fmt::Display for StudyId {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        std::fmt::Display::fmt(self.0.as_hyphenated(), f)
     }
 }
 

@@ -1,9 +1,7 @@
 //! Topology of a mesh: whether it is closed, manifold and oriented, its genus, and the places of its faults.
 //!
 //! [`topology_report`] counts; [`analyze`] also returns the first [`SurfaceFault`] with its position, so that an error
-//! tells what to fix. Both work on triangles and quads. Edges are grouped by sorting half-edges, and fans around a
-//! vertex by joining the face corners that share an edge: no pointers, no hashing, the same order of faults in every
-//! run.
+//! tells what to fix. Both work on triangles and quads, and find faults in the same order in every run.
 
 pub use super::elements::{TopologyReport, topology_report};
 

@@ -67,7 +67,7 @@ impl Flag {
 }
 
 /// Size of a label of one subject.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LabelSize {
     /// Its area on the surface, mm².
     pub area_mm2: f64,

@@ -63,8 +63,8 @@ pub(crate) async fn submit(mut call: AuthorizedRequest, request: Request) -> Res
     // The slot and the memory of the body are free again before the wait for the job.
     drop(tap);
     match taken {
-        SharePermit::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
-        SharePermit::Accepted(accepted_now) => {
+        SubmissionOutcome::Tried(validated) => Ok(Json(ValidationDocument::from(validated)).into_response()),
+        SubmissionOutcome::Accepted(accepted_now) => {
             let Accepted { made, replayed } = *accepted_now;
             let response = match wanted_wait(&call.headers, MAX_WAIT_S) {
                 Some(wait) => after_wait(&call, made, wait).await?,
@@ -75,7 +75,7 @@ pub(crate) async fn submit(mut call: AuthorizedRequest, request: Request) -> Res
     }
 }
 
-enum SharePermit {
+enum SubmissionOutcome {
     Accepted(Box<Accepted<Job>>),
     Tried(Box<Validated>),
 }
@@ -85,7 +85,7 @@ async fn take(
     request: Request,
     tap: &LimitedBody,
     validate_only: bool,
-) -> Result<SharePermit, Problem> {
+) -> Result<SubmissionOutcome, Problem> {
     let AuthorizedRequest { state, tenant, headers, .. } = call;
     let idempotency_key = idempotency_key(headers)?;
     state.service.refuse_when_full(tenant).await?;
@@ -96,9 +96,9 @@ async fn take(
     details.traceparent = traceparent(headers);
     let submission = Submission { tenant: tenant.clone(), source, target, parameters, details, idempotency_key };
     Ok(if validate_only {
-        SharePermit::Tried(Box::new(state.service.validate(submission).await?))
+        SubmissionOutcome::Tried(Box::new(state.service.validate(submission).await?))
     } else {
-        SharePermit::Accepted(Box::new(state.service.submit(submission).await?))
+        SubmissionOutcome::Accepted(Box::new(state.service.submit(submission).await?))
     })
 }
 

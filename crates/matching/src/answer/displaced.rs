@@ -8,7 +8,7 @@ use homolog_mrf::Labeling;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
-/// Result of the third stage for every vertex of the source as given, in canonical numbering.
+/// The images of all vertices of the source as given, the result of the third stage, in canonical numbering.
 pub(crate) struct VertexImages {
     /// The rigid transform.
     pub transform: RigidTransform,

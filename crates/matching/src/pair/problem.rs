@@ -4,7 +4,7 @@ use super::scene::Scene;
 use crate::surface::levels::Levels;
 use homolog_mrf::MrfModel;
 
-/// Result of the first stage.
+/// The two surfaces at the level on which a match begins, with their features: the result of the first stage.
 pub(crate) struct MatchProblem<'a> {
     pub source: &'a Levels,
     pub target: &'a Levels,

@@ -6,7 +6,7 @@ use crate::pair::vertex_map::VertexMap;
 use homolog_contract::result::{PoseDocument, RoundDocument, StopReason};
 use homolog_registration::RigidTransform;
 
-/// Result of the second stage.
+/// The pose of a match, as far as it is known before the displacement field: the result of the second stage.
 pub(crate) enum PoseResult<'c> {
     /// Rounds of inference on the level of `problem`.
     Inference { problem: &'c EnergyProblem<'c>, inferred: RoundsResult },

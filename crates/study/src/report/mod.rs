@@ -35,7 +35,7 @@ pub(crate) fn significant_share(p: &[f64], weights: &[f64]) -> f64 {
     p.iter().zip(weights).filter(|(p, _)| **p < 0.05).map(|(_, weight)| weight).sum::<f64>() + 0.0
 }
 
-/// Faces and positions of a surface for the page.
+/// Triangles of a surface for the page: indices of corners, 32 bits each, little-endian.
 pub(crate) fn triangles(mesh: &SurfaceMesh) -> Vec<u8> {
     mesh.triangles().into_iter().flatten().flat_map(u32::to_le_bytes).collect()
 }

@@ -1,12 +1,13 @@
 //! TLS: the one cryptography provider of the process, and the listener's certificates from files, which are read again
 //! when they change.
 
+use parking_lot::Mutex;
 use rustls::pki_types::pem::PemObject as _;
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use rustls::server::WebPkiClientVerifier;
 use rustls::{RootCertStore, ServerConfig};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// How often the files are read again.
@@ -54,7 +55,7 @@ impl ServerTls {
 
     /// The configuration for the next connection.
     pub fn config(&self) -> Arc<ServerConfig> {
-        Arc::clone(&self.current.lock().unwrap_or_else(PoisonError::into_inner).config)
+        Arc::clone(&self.current.lock().config)
     }
 
     /// Reads the files again. Returns whether they have changed; open connections keep their certificates.
@@ -63,11 +64,11 @@ impl ServerTls {
     /// As for [`ServerTls::open`]; the earlier certificates then stay.
     pub fn reload(&self) -> Result<bool, String> {
         let content = content(&self.files)?;
-        if content == self.current.lock().unwrap_or_else(PoisonError::into_inner).content {
+        if content == self.current.lock().content {
             return Ok(false);
         }
         let config = config(&self.files, &content)?;
-        *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Read { content, config };
+        *self.current.lock() = Read { content, config };
         Ok(true)
     }
 

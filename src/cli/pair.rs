@@ -22,10 +22,10 @@ use homolog_run::{
     InputFile, ReportInputs, RunError, RunOutput, SurfaceCache, WarpedSurface, lta, run_match_with, segment_label,
     write_report,
 };
+use parking_lot::Mutex;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 /// Two inputs, each with its bytes.
@@ -199,7 +199,7 @@ impl MatchObserver {
     }
 
     fn finish(self) -> Vec<TimedPoint> {
-        self.trace.into_inner().unwrap_or_else(PoisonError::into_inner)
+        self.trace.into_inner()
     }
 }
 
@@ -212,7 +212,7 @@ impl Observer for MatchObserver {
     }
     fn trace(&self, point: &TracePoint) {
         let elapsed_ms = (self.started.elapsed().as_secs_f64() * 1e6).round() / 1e3;
-        let mut trace = self.trace.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut trace = self.trace.lock();
         let seq = trace.len() as u64 + 1;
         trace.push(TimedPoint { seq, point: point.clone(), elapsed_ms });
     }

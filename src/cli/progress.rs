@@ -27,7 +27,7 @@ pub(super) struct Progress {
     lines: bool,
     begun: Instant,
     title: std::sync::OnceLock<String>,
-    phase: std::sync::Mutex<String>,
+    phase: parking_lot::Mutex<String>,
 }
 
 impl Progress {
@@ -41,7 +41,7 @@ impl Progress {
         }
         let lines = !terminal && without_terminal == WithoutTerminal::Lines;
         let (begun, title) = (Instant::now(), std::sync::OnceLock::new());
-        Progress { bar, lines, begun, title, phase: std::sync::Mutex::default() }
+        Progress { bar, lines, begun, title, phase: parking_lot::Mutex::default() }
     }
 
     /// Sets the title that is shown before the phase; only the first title counts.
@@ -52,7 +52,7 @@ impl Progress {
     }
 
     pub(super) fn phase(&self, name: &str) {
-        let mut phase = self.phase.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut phase = self.phase.lock();
         if *phase != name {
             name.clone_into(&mut phase);
             let title = self.title.get().map_or("", String::as_str);

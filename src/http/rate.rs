@@ -1,7 +1,7 @@
 //! The rate of requests of each tenant, limited by a token bucket: an average number a second, and a number at once.
 
+use parking_lot::Mutex;
 use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Length of a burst, in seconds of requests at the average rate.
@@ -50,7 +50,7 @@ impl RequestRate {
         let filled = |bucket: &Bucket| {
             (bucket.tokens + now.saturating_duration_since(bucket.at).as_secs_f64() * rate).min(burst)
         };
-        let mut buckets = self.buckets.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut buckets = self.buckets.lock();
         if buckets.len() >= MANY && !buckets.contains_key(owner) {
             // A full bucket need not be stored.
             buckets.retain(|_, bucket| filled(bucket) < burst);
@@ -89,6 +89,6 @@ mod tests {
             rate.take(&n.to_string(), began).unwrap();
         }
         rate.take("next", began + Duration::from_secs(60)).unwrap();
-        assert_eq!(rate.buckets.lock().unwrap().len(), 1);
+        assert_eq!(rate.buckets.lock().len(), 1);
     }
 }

@@ -4,9 +4,10 @@
 use super::auth_mode::AuthMode;
 use crate::jobs::Tenant;
 use axum::http::Extensions;
+use parking_lot::{Mutex, MutexGuard};
 use std::collections::HashMap;
 use std::net::IpAddr;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::Notify;
 
@@ -60,7 +61,7 @@ impl Shares {
     }
 
     fn lock(&self) -> MutexGuard<'_, HashMap<String, u64>> {
-        self.taken.lock().unwrap_or_else(PoisonError::into_inner)
+        self.taken.lock()
     }
 
     fn add(&self, owner: &str, n: u64) -> bool {

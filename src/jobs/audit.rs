@@ -9,10 +9,11 @@
 use super::error::JobError;
 use super::job::Tenant;
 use async_trait::async_trait;
+use parking_lot::{Mutex, MutexGuard};
 use ring::digest::{SHA256, digest};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::{Notify, oneshot};
 
@@ -260,7 +261,7 @@ impl Recorder {
     }
 
     fn lock(&self) -> MutexGuard<'_, Queue> {
-        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
+        self.queue.lock()
     }
 
     /// Appends an event, also if the returned future is dropped. Completes with whether the row is stored; an event that
@@ -459,7 +460,7 @@ mod tests {
     impl AuditStore for Slow {
         async fn append_audit(&self, events: &[AuditEvent]) -> Result<(), JobError> {
             tokio::time::sleep(Duration::from_millis(20)).await;
-            self.0.lock().unwrap().push(events.len());
+            self.0.lock().push(events.len());
             if events.iter().any(|event| event.action == "fail") { Err(JobError::StorageFull) } else { Ok(()) }
         }
 
@@ -488,7 +489,7 @@ mod tests {
             assert!(stored.await);
         }
         recorder.settled().await;
-        let sizes = store.0.lock().unwrap().clone();
+        let sizes = store.0.lock().clone();
         assert_eq!(sizes.iter().sum::<usize>(), 52);
         assert!(sizes.len() <= 4, "{sizes:?}");
         assert!(!recorder.record(event("fail", tenant())).await, "the failure is reported");
@@ -504,6 +505,6 @@ mod tests {
         }
         drop(recorder.record(event("known", Some(Tenant::default()))));
         recorder.settled().await;
-        assert_eq!(store.0.lock().unwrap().iter().sum::<usize>(), 61);
+        assert_eq!(store.0.lock().iter().sum::<usize>(), 61);
     }
 }

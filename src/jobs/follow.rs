@@ -15,9 +15,10 @@ use super::signals::{Moves, Signals};
 use super::state::JobState;
 use super::study::{Study, StudyStore};
 use super::trace::NumberedPoint;
+use parking_lot::Mutex;
 use std::collections::HashMap;
 use std::hash::Hash;
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::{Arc, Weak};
 use std::time::Duration;
 use tokio::sync::watch;
 
@@ -91,7 +92,7 @@ impl<K: Eq + Hash, T> Shared<K, T> {
     where
         R: Future<Output = ()> + Send + 'static,
     {
-        let mut feeds = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut feeds = self.0.lock();
         let shared = feeds.get(&key).and_then(Weak::upgrade).filter(|feed| !feed.reader.is_finished());
         if let Some(feed) = shared {
             return feed;

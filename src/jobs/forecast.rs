@@ -5,8 +5,9 @@ use super::engine::Engine;
 use super::ids::JobId;
 use super::job::{Job, JobInput};
 use super::state::JobState;
+use parking_lot::Mutex;
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// Jobs whose run times are kept, at most: a poll then reads no parameters again.
 const MOST_KEPT: usize = 4096;
@@ -38,11 +39,11 @@ impl Forecast {
     }
 
     fn run_ms(&self, job: &Job) -> Option<u64> {
-        if let Some(known) = self.kept.lock().unwrap_or_else(PoisonError::into_inner).get(&job.id) {
+        if let Some(known) = self.kept.lock().get(&job.id) {
             return *known;
         }
         let predicted = self.predicted_ms(job);
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = self.kept.lock();
         kept.insert(job.id, predicted);
         if kept.len() > MOST_KEPT {
             // Ids are ordered by time.

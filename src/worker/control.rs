@@ -1,7 +1,7 @@
 //! How a running computation is told to stop, and why.
 
+use parking_lot::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
 use tokio_util::sync::CancellationToken;
 
 /// Why a computation is told to stop.
@@ -28,7 +28,7 @@ pub(crate) struct Control {
 impl Control {
     /// Tells the computation to stop. The first cause is kept, except that a lost lease overrides any other.
     pub(crate) fn stop(&self, cause: StopCause) {
-        let mut held = self.cause.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut held = self.cause.lock();
         if held.is_none() || cause == StopCause::LeaseLost {
             *held = Some(cause);
         }
@@ -44,7 +44,7 @@ impl Control {
 
     /// Why the computation should stop.
     pub(crate) fn cause(&self) -> Option<StopCause> {
-        *self.cause.lock().unwrap_or_else(PoisonError::into_inner)
+        *self.cause.lock()
     }
 
     /// Returns when the computation is told to stop.

@@ -6,9 +6,10 @@
 use super::control::{Control, StopCause};
 use crate::jobs::{JobError, JobStore, Lease, LeaseStatus};
 use futures_util::future::join_all;
+use parking_lot::Mutex;
 use std::collections::HashMap;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// How often the status of each lease is read: the longest delay until a request to cancel is seen.
@@ -95,8 +96,8 @@ impl Drop for Watch {
 }
 
 impl Shared {
-    fn lock(&self) -> std::sync::MutexGuard<'_, HashMap<Lease, Watched>> {
-        self.watched.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> parking_lot::MutexGuard<'_, HashMap<Lease, Watched>> {
+        self.watched.lock()
     }
 }
 

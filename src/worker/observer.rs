@@ -4,7 +4,8 @@ use super::control::Control;
 use crate::jobs::{NumberedPoint, Progress, TraceChunk};
 use crate::spans::Span;
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
-use std::sync::{Arc, Mutex, PoisonError};
+use parking_lot::Mutex;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Collects trace and progress of a computation until the worker stores them.
@@ -57,8 +58,8 @@ impl JobObserver {
         Some(TraceChunk { points: std::mem::take(&mut observed.points), progress: observed.progress.clone() })
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Observed> {
-        self.observed.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> parking_lot::MutexGuard<'_, Observed> {
+        self.observed.lock()
     }
 }
 

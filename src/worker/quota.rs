@@ -1,7 +1,7 @@
 //! When a process that only runs jobs exits by itself.
 
+use parking_lot::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Limits after which a process exits by itself, for example a process that a batch scheduler starts for a few jobs.
@@ -44,7 +44,7 @@ impl Quota {
     /// Records that a job has ended.
     pub(super) fn ended(&self) {
         self.running.fetch_sub(1, Ordering::SeqCst);
-        *self.idle_since.lock().unwrap_or_else(PoisonError::into_inner) = None;
+        *self.idle_since.lock() = None;
     }
 
     /// Whether the process should exit.
@@ -54,7 +54,7 @@ impl Quota {
             return is_idle;
         }
         let Some(most) = self.idle else { return false };
-        let mut since = self.idle_since.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut since = self.idle_since.lock();
         is_idle && since.get_or_insert_with(Instant::now).elapsed() >= most
     }
 }

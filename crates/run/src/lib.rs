@@ -37,8 +37,8 @@ use homolog_matching::{MatchError, match_levels};
 pub use homolog_matching::{match_memory_bytes, read_caches};
 use homolog_mesh::{MeshError, SurfaceMesh};
 use homolog_primitives::observe::{Cancelled, Observer, Phase};
+use parking_lot::Mutex;
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 /// One input of a match: the bytes as uploaded.
@@ -263,7 +263,7 @@ impl<'a> PhaseTimer<'a> {
     }
 
     fn finish(self) -> BTreeMap<String, f64> {
-        let mut clock = self.clock.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let mut clock = self.clock.into_inner();
         let now = Instant::now();
         clock.close(now);
         clock.spent_ms.insert("total".to_owned(), milliseconds(now - clock.started));
@@ -277,7 +277,7 @@ impl Observer for PhaseTimer<'_> {
     }
     fn phase(&self, phase: Phase) {
         let now = Instant::now();
-        let mut clock = self.clock.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut clock = self.clock.lock();
         clock.close(now);
         clock.current = Some((phase, now));
         drop(clock);

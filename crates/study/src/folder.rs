@@ -11,13 +11,13 @@ use homolog_contract::parameters::LabelChoice;
 use homolog_formats::ReadLimits;
 use homolog_formats::csv_cell::{text_cell, text_of_cell};
 use homolog_formats::ply::read_ply;
+use parking_lot::Mutex;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::Path;
-use std::sync::Mutex;
 use std::sync::atomic::AtomicU64;
 
 /// Subfolders; the first is the folder itself.
@@ -99,7 +99,7 @@ impl Folder {
     pub fn into_files(self) -> BTreeMap<String, Vec<u8>> {
         match self.place {
             Storage::Disk(..) => BTreeMap::new(),
-            Storage::Memory(files, _) => files.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner),
+            Storage::Memory(files, _) => files.into_inner(),
         }
     }
 
@@ -213,7 +213,7 @@ impl Records for Folder {
     /// Whether an intact record exists. A damaged record, for example after a full disk or a torn write, is removed and
     /// computed again.
     fn has(&self, key: &str) -> bool {
-        let mut sound = self.sound.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut sound = self.sound.lock();
         if sound.contains(key) {
             return true;
         }

@@ -9,10 +9,10 @@ use crate::settings::{Settings, TemplateChoice};
 use homolog_contract::parameters::LabelChoice;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::{InputFile, SurfaceCache};
+use parking_lot::Mutex;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Memory for prepared surfaces, bytes; the template is prepared only once.
@@ -133,7 +133,7 @@ impl Study {
                     let all = finished + tasks.len();
                     let at = Mutex::new(finished);
                     let done = || {
-                        let mut at = at.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                        let mut at = at.lock();
                         *at += 1;
                         watcher.progress(&what, *at, all);
                     };
@@ -300,7 +300,7 @@ fn each(
     work: &(dyn Fn(&Task) -> Result<(), StudyError> + Sync),
 ) -> Result<(), StudyError> {
     let (next, fault) = (AtomicUsize::new(0), Mutex::new(None));
-    let has_failed = || fault.lock().unwrap_or_else(std::sync::PoisonError::into_inner).is_some();
+    let has_failed = || fault.lock().is_some();
     std::thread::scope(|scope| {
         for _ in 0..threads.clamp(1, tasks.len().max(1)) {
             scope.spawn(|| {
@@ -308,7 +308,7 @@ fn each(
                     Ok(pool) => pool,
                     Err(error) => {
                         let error = StudyError::Internal(format!("a thread for matches cannot be started: {error}"));
-                        fault.lock().unwrap_or_else(std::sync::PoisonError::into_inner).get_or_insert(error);
+                        fault.lock().get_or_insert(error);
                         return;
                     }
                 };
@@ -318,7 +318,7 @@ fn each(
                             return;
                         }
                         if let Err(error) = work(task) {
-                            fault.lock().unwrap_or_else(std::sync::PoisonError::into_inner).get_or_insert(error);
+                            fault.lock().get_or_insert(error);
                             return;
                         }
                     }
@@ -326,7 +326,7 @@ fn each(
             });
         }
     });
-    match fault.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner) {
+    match fault.into_inner() {
         Some(error) => Err(error),
         None => Ok(()),
     }

@@ -247,12 +247,12 @@ impl ArtifactWriter for SealedWriter {
 
 /// Collects the output of a [`SealedWriter`].
 #[derive(Default)]
-struct Collected(Arc<std::sync::Mutex<BytesMut>>);
+struct Collected(Arc<parking_lot::Mutex<BytesMut>>);
 
 #[async_trait]
 impl ArtifactWriter for Collected {
     async fn write(&mut self, part: Bytes) -> Result<(), JobError> {
-        self.0.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend_from_slice(&part);
+        self.0.lock().extend_from_slice(&part);
         Ok(())
     }
 
@@ -273,7 +273,7 @@ impl ArtifactStore for SealedArtifacts {
         let mut writer = Box::new(self.writer(Box::new(collected))?);
         writer.write(bytes).await?;
         writer.commit(key).await?;
-        let sealed = std::mem::take(&mut *content.lock().unwrap_or_else(std::sync::PoisonError::into_inner)).freeze();
+        let sealed = std::mem::take(&mut *content.lock()).freeze();
         self.inner.put(key, sealed).await
     }
 

@@ -6,8 +6,8 @@ use super::argument::bind;
 use super::database::Session;
 use super::dialect::sql;
 use crate::jobs::{ClockState, JobError};
+use parking_lot::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// How far the clock may be ahead of the last time that was seen, in a process that has seen it before: the process
@@ -73,7 +73,7 @@ impl SqlStore {
     pub(super) async fn was_clock_set(&self) -> Result<bool, JobError> {
         let (present, _) = clock(&mut self.database.reader().await?).await?;
         let now = Instant::now();
-        let before = self.clock.last.lock().unwrap_or_else(PoisonError::into_inner).replace((now, present));
+        let before = self.clock.last.lock().replace((now, present));
         Ok(before.is_some_and(|(then, showed)| is_set(now - then, present.saturating_sub(showed))))
     }
 
@@ -107,8 +107,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let store = SqlStore::open(&DatabaseLocation::Folder(folder.path().to_owned())).await.unwrap();
         assert!(!store.clock_was_set().await.unwrap() && !store.clock_was_set().await.unwrap());
-        let (then, showed) = store.clock.last.lock().unwrap().unwrap();
-        *store.clock.last.lock().unwrap() = Some((then, showed + 3 * 3_600_000));
+        let (then, showed) = store.clock.last.lock().unwrap();
+        *store.clock.last.lock() = Some((then, showed + 3 * 3_600_000));
         assert!(store.clock_was_set().await.unwrap() && !store.clock_was_set().await.unwrap());
         assert!(store.purge(&Retentions::default(), 1, false).await.unwrap().is_nothing());
     }

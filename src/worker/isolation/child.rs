@@ -14,13 +14,14 @@ use crate::worker::match_engine::MatchEngine;
 use crate::worker::priority::{lower_priority_of_global_pool, own_threads};
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use metrics::{Counter, Gauge, Histogram, Key, KeyName, Metadata, Recorder, SharedString, Unit};
+use parking_lot::Mutex;
 use std::io;
 use std::os::fd::AsFd as _;
 use std::os::unix::net::UnixStream;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 
 /// Smallest increase of the progress that a child reports.
 const STEP_OF_PROGRESS: f64 = 0.002;
@@ -49,7 +50,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
     }
     // Only the location of a panic is reported: its message may contain a patient's data.
     std::panic::set_hook(Box::new(|panic| {
-        *PANIC.lock().unwrap_or_else(PoisonError::into_inner) = panic.location().map(ToString::to_string);
+        *PANIC.lock() = panic.location().map(ToString::to_string);
     }));
     let counts = Counts::install();
     let before = limits::memory_of(None).unwrap_or_default();
@@ -73,7 +74,7 @@ fn serve(parent: Option<u32>) -> Result<(), FrameError> {
         let answered = catch_unwind(AssertUnwindSafe(|| answer(&engine, &channel, request, body)));
         let (outcome, body) = match answered {
             Ok(done) => done?,
-            Err(_) => (Outcome::Panicked(PANIC.lock().unwrap_or_else(PoisonError::into_inner).take()), Vec::new()),
+            Err(_) => (Outcome::Panicked(PANIC.lock().take()), Vec::new()),
         };
         let kept = counts.taken();
         channel.tell(&ChildMessage::Done { outcome, kept }, &[&body])?;
@@ -217,8 +218,8 @@ impl Channel {
         Ok(write_frame(&mut *self.lock(), told, body)?)
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, UnixStream> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> parking_lot::MutexGuard<'_, UnixStream> {
+        self.0.lock()
     }
 }
 
@@ -258,7 +259,7 @@ impl Observer for Reporter {
     }
 
     fn progress(&self, fraction: f64) {
-        let mut told = self.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut told = self.progress.lock();
         if fraction >= *told + STEP_OF_PROGRESS || (fraction >= 1.0 && *told < 1.0) {
             *told = fraction.min(1.0);
             self.tell(&ChildMessage::Progress(*told));

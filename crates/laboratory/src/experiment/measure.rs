@@ -8,9 +8,9 @@ use homolog_matching::{MatchOutcome, match_surfaces};
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use homolog_registration::RigidTransform;
 use nalgebra::{Matrix3, Point3, Vector3};
+use parking_lot::Mutex;
 use rayon::prelude::*;
 use serde_json::Value;
-use std::sync::{Mutex, PoisonError};
 
 /// Maximum number of points of a curve; a trace of thousands of sweeps is thinned to this.
 const CURVE_POINTS: usize = 200;
@@ -32,7 +32,7 @@ struct Recorded {
 impl Recorder<'_> {
     fn record(&self, write: impl FnOnce(&mut Recorded, f64)) {
         let now = (self.clock)().as_secs_f64();
-        write(&mut self.seen.lock().unwrap_or_else(PoisonError::into_inner), now);
+        write(&mut self.seen.lock(), now);
     }
 }
 
@@ -86,7 +86,7 @@ pub(super) fn observed_match(
     let begin = clock().as_secs_f64();
     let outcome = match_surfaces(&pair.source, &pair.target, &parameters, &recorder).map_err(|e| e.to_string())?;
     let mut m = Measurement::default().with("seconds", clock().as_secs_f64() - begin);
-    let seen = recorder.seen.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let seen = recorder.seen.into_inner();
     trace(&mut m, &seen);
     documents(&mut m, &outcome);
     ground_truth_errors(&mut m, pair, &outcome);

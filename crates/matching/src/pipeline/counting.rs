@@ -2,7 +2,7 @@
 
 use crate::pair::progress::{PROGRESS_AT_END, PROGRESS_BEFORE_LOCAL};
 use homolog_primitives::observe::{Observer, Phase, TracePoint};
-use std::sync::{Mutex, PoisonError};
+use parking_lot::Mutex;
 
 /// Number of checks for cancellation, and the share of the processor time of the displacement at that check, from four
 /// pairs of hippocampi. The second check precedes inference. The local stage begins at the 84th
@@ -53,14 +53,14 @@ impl Observer for DisplacementProgress<'_> {
     }
     /// A stage begins at `share` of the displacement: the checks of previous stages that were not run are skipped.
     fn progress(&self, share: f64) {
-        let mut n_checks = self.n_checks.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut n_checks = self.n_checks.lock();
         while time_share(f64::from(*n_checks)) < share {
             *n_checks += 1;
         }
     }
     fn is_cancelled(&self) -> bool {
         // Held during the report, so that reported progress never decreases.
-        let mut n_checks = self.n_checks.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut n_checks = self.n_checks.lock();
         *n_checks += 1;
         let done = time_share(f64::from(*n_checks));
         self.observer.progress(self.done_before + (PROGRESS_AT_END - self.done_before) * done);
@@ -78,10 +78,10 @@ mod tests {
 
     impl Observer for Said {
         fn progress(&self, fraction: f64) {
-            self.0.lock().unwrap().push(fraction);
+            self.0.lock().push(fraction);
         }
         fn is_cancelled(&self) -> bool {
-            self.0.lock().unwrap().len() >= 3
+            self.0.lock().len() >= 3
         }
     }
 
@@ -95,7 +95,7 @@ mod tests {
             for _ in 0..1000 {
                 assert!(checkpoint_within(&stack).is_ok());
             }
-            assert_eq!(said.0.lock().unwrap().len(), step - 1, "only steps are counted");
+            assert_eq!(said.0.lock().len(), step - 1, "only steps are counted");
             assert_eq!(checkpoint(&stack).is_err(), step == 3);
         }
         assert!(checkpoint_within(&stack).is_err());

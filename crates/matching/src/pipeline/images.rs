@@ -25,7 +25,7 @@ use homolog_contract::parameters::{Bending, DisplacementMode, FieldStarts};
 use homolog_contract::result::PoseOrigin;
 use homolog_primitives::observe::Phase;
 use homolog_registration::RigidTransform;
-use std::sync::Mutex;
+use parking_lot::Mutex;
 
 /// An image for every source vertex of `prepare_problem`, from the pose of `find_pose`.
 ///

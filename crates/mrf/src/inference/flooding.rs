@@ -23,8 +23,8 @@ use super::outcome::{BpIteration, BpOutcome, BpStop, Decoded, Progress};
 use super::sparse_update::Scratch;
 use homolog_primitives::graph::EdgeGraph;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
+use parking_lot::Mutex;
 use rayon::prelude::*;
-use std::sync::{Mutex, PoisonError};
 
 /// Blocks and their messages.
 pub(super) struct Flooding {
@@ -123,7 +123,7 @@ impl Flooding {
                 .map(|(block, output)| {
                     // No other thread has this index, so the lock is free; leftovers of a panic are overwritten.
                     let own = &scratch[rayon::current_thread_index().unwrap_or(0) % scratch.len()];
-                    let mut scratch = own.lock().unwrap_or_else(PoisonError::into_inner);
+                    let mut scratch = own.lock();
                     make_block(kernel, &open, (block, &plan.blocks[block]), &factors[block], &mut scratch, output)
                 })
                 .collect();

@@ -12,9 +12,10 @@ use crate::record::{Facts, Record, folded};
 use crate::subjects::{SubjectFindings, SubjectOutcome};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
+use parking_lot::Mutex;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// Memory for the surfaces of subjects, bytes; those beyond it are read again in each round.
 pub(crate) const SURFACES_BYTES: usize = 256 << 20;
@@ -163,7 +164,7 @@ impl<'a> Prepared<'a> {
 
 impl Surfaces for Prepared<'_> {
     fn surface(&self, subject: usize) -> Result<Option<Arc<Slidable>>, StudyError> {
-        let mut held = self.held[subject].lock().unwrap_or_else(PoisonError::into_inner);
+        let mut held = self.held[subject].lock();
         if let Some(surface) = held.as_ref() {
             return Ok(Some(Arc::clone(surface)));
         }
@@ -181,7 +182,7 @@ impl Surfaces for Prepared<'_> {
             prepared.uploaded().clone()
         };
         let surface = Arc::new(Slidable::new(mesh));
-        let mut bytes = self.bytes.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut bytes = self.bytes.lock();
         if *bytes + surface.heap_bytes() <= SURFACES_BYTES {
             *bytes += surface.heap_bytes();
             *held = Some(Arc::clone(&surface));

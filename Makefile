@@ -9,7 +9,7 @@
 #   dashboard      build the page of the dashboard, dashboard/dist, with node
 #
 # Campaigns of tests
-#   long           tests that measure or attack: predicted memory and prices, every published method, hostile input, PostgreSQL, real
+#   long           tests that measure or attack: predicted memory and prices, every published method, studies, hostile input, PostgreSQL, real
 #                  data: a quarter of an hour; HOMOLOG_REAL_DATA=dir: the folder of real data (data/ unless set)
 #   faults         processes killed, databases stopped, disks filled: an hour; SHORT=1: minutes; TEST=a06: the test of that name,
 #                  a_killed_: 200 kills of children and 200 of the service

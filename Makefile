@@ -94,15 +94,15 @@ test:
 	@CARGO="$(CARGO)" scripts/test
 
 long:
-	@scripts/setup test
+	@scripts/setup campaigns
 	@CARGO="$(CARGO)" scripts/test long
 
 faults:
-	@scripts/setup test
+	@scripts/setup campaigns
 	@HOMOLOG_FAULTS=$(if $(filter-out 0,$(SHORT)),short,full) CARGO="$(CARGO)" scripts/test faults "$(TEST)"
 
 readers:
-	@scripts/setup test
+	@scripts/setup campaigns
 	@CARGO="$(CARGO)" scripts/test readers
 
 properties:
@@ -127,7 +127,7 @@ check:
 	target/tools/bin/cargo-deny --locked check bans licenses sources
 
 peers-read: build
-	@scripts/setup test
+	@scripts/setup campaigns
 	target/readers-env/bin/python -W ignore tests/readers/peers/peers_read.py target/release/homolog --cache target/peers --rounds $(ROUNDS) \
 	  --out docs/formats-read.md
 
@@ -147,7 +147,7 @@ advisories:
 	target/tools/bin/cargo-deny --locked check advisories
 
 contract:
-	@scripts/setup test
+	@scripts/setup campaigns
 	@CONTRACT_EXAMPLES=$(EXAMPLES) CARGO="$(CARGO)" scripts/test contract
 
 api:
@@ -170,7 +170,7 @@ dashboard:
 	cd dashboard && npm ci --no-audit --no-fund && npm run build
 
 screenshots:
-	@scripts/setup test
+	@scripts/setup campaigns
 	$(CARGO) build --locked
 	cd dashboard && DASHBOARD_BINARY="$(or $(CARGO_TARGET_DIR),$(CURDIR)/target)/debug/homolog" DASHBOARD_SCREENSHOTS="$(CURDIR)/docs/dashboard" \
 	  node tests/run.mjs $(TEST)
@@ -256,7 +256,7 @@ bench:
 # The peer that is compared is a separate package, so that homolog does not depend on it. If it cannot be built, its row
 # says so.
 bench-service:
-	@scripts/setup test
+	@scripts/setup campaigns
 	mkdir -p benches/records
 	$(CARGO) build --release --locked --manifest-path benches/peers/graphile/Cargo.toml --target-dir target/peer || true
 	@peer="$$PWD/target/peer/release/graphile-peer"; if [ -x "$$peer" ]; then export HOMOLOG_BENCH_PEER="$$peer"; fi; \

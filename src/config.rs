@@ -431,6 +431,11 @@ impl ServiceSettings {
         self.memory_bytes.unwrap_or_else(jobs_memory_bytes)
     }
 
+    /// The values of settings whose defaults depend on the machine or the container, by their names in the file.
+    pub fn on_this_machine(&self) -> [(&'static str, u64); 2] {
+        [("cores", self.worker_settings().cores as u64), ("memory_bytes", self.memory_for_jobs())]
+    }
+
     /// How long a job waits after the first loss of its worker.
     pub fn crash_pause(&self) -> Duration {
         Duration::from_millis(self.crash_pause_ms)

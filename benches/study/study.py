@@ -1,6 +1,6 @@
-"""Measures studies: on real hippocampi, on simulated atrophy, on splits without an effect, killed, timed, and large.
+"""Measures studies: on real hippocampi, on simulated atrophy and asymmetry, on splits without an effect, killed, timed, and large.
 
-Usage: study.py --binary homolog --data DIR --out DIR [--parts hippocampi,joint,starts,atrophy,null,killed,time,memory] [--subjects N]
+Usage: study.py --binary homolog --data DIR --out DIR [--parts hippocampi,joint,starts,atrophy,asymmetry,null,killed,time,memory] [--subjects N]
 DIR/hippocampus has label volumes (*.nii.gz). Everything is kept in --out, so that what is there is not computed again. Figures go
 to OUT/figures.json and to the standard output. Needs numpy, scipy, scikit-image and nibabel."""
 import argparse
@@ -13,13 +13,13 @@ import subprocess
 import numpy as np
 
 from running import Bench, document, model_figures, stem, table
-from surfaces import found_in_patch, gifti, surface, thinned, write_ply
+from surfaces import deformation, found_in_patch, gifti, maps, patch, surface, thinned, write_ply
 
 arguments = argparse.ArgumentParser()
 arguments.add_argument("--binary", required=True)
 arguments.add_argument("--data", required=True)
 arguments.add_argument("--out", required=True)
-arguments.add_argument("--parts", default="time,hippocampi,joint,starts,atrophy,null,killed,memory")
+arguments.add_argument("--parts", default="time,hippocampi,joint,starts,atrophy,asymmetry,null,killed,memory")
 arguments.add_argument("--subjects", type=int, default=60)
 arguments.add_argument("--examples", help="folder of the examples null_splits and templates_apart of homolog-study")
 arguments.add_argument("--splits", type=int, default=200)
@@ -108,6 +108,37 @@ if "atrophy" in parts:
         for measure in ("normal_displacement", "thickness", "log_area"):
             for kind, found in found_in_patch(result, measure, PATCH_MM).items():
                 say(f"atrophy {name} {measure} {kind}", **found)
+
+# Pairs that are made up: both sides are a real structure, sampled twice and deformed at random; all right ones are thinned in a patch.
+ASYMMETRY_MM, OWN_WIDTH_MM, OWN_DEVIATION_MM = {"known": (12.0, 0.5), "none": (12.0, 0.0)}, 12.0, 0.3
+
+if "asymmetry" in parts:
+    for name, (radius_mm, depth_mm) in ASYMMETRY_MM.items():
+        folder, rng, rows = out / f"asymmetry-{name}-subjects", np.random.default_rng(11), []
+        folder.mkdir(exist_ok=True)
+        for k, file in enumerate(spread(n)):
+            for side, offset in (("left", 0.0), ("right", 0.5)):
+                vertices, faces = surface(file, offset)
+                vertices = vertices + deformation(rng, OWN_WIDTH_MM, OWN_DEVIATION_MM)(vertices)
+                if side == "right":
+                    vertices, faces = thinned(vertices, faces, radius_mm, depth_mm) * [-1, 1, 1], faces[:, ::-1]
+                write_ply(folder / f"p{k:02}-{side}.ply", vertices, faces)
+                rows.append({"id": f"p{k:02}-{side}", "file": folder / f"p{k:02}-{side}.ply", "subject": f"p{k:02}", "side": side})
+        result = out / f"asymmetry-{name}"
+        options = ["--template", out / "asymmetry-known/template/template.ply"] if name == "none" else []
+        seconds, processor, memory = study(table(out / f"asymmetry-{name}.csv", rows), result, "--effect", "side", "--template-side", "left",
+                                           "--permutations", 2000, *options)
+        say(f"asymmetry {name}", pairs=n, seconds=round(seconds, 1), processor_seconds=round(processor, 1))
+        vertices = gifti(result / "mean.surf.gii")[0].astype(float)
+        weight = patch(vertices, radius_mm)
+        for measure in ("normal_displacement", "thickness", "log_area"):
+            arrays = maps(result, f"{measure}.right-left")
+            kinds = found_in_patch(result, measure, radius_mm, "right-left")
+            largest = np.argmax(np.abs(arrays["t"]))
+            distance = np.linalg.norm(vertices[largest] - vertices[np.argmax(weight)])
+            say(f"asymmetry {name} {measure}", **kinds["tfce_fwe"], smallest_p_tfce=round(float(arrays["p_tfce_fwe"].min()), 4),
+                smallest_q=round(float(arrays["q_fdr"].min()), 4), median_se_mm=round(float(np.median(arrays["robust_se"][weight > 0.5])), 3),
+                put_in_patch_mm=round(-depth_mm * float(weight[weight > 0.5].mean()), 3), largest_t_from_middle_mm=round(float(distance), 1))
 
 
 def begun(folder):

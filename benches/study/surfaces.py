@@ -2,19 +2,20 @@
 
 import nibabel as nib
 import numpy as np
-from scipy.ndimage import gaussian_filter, label
+from scipy.ndimage import gaussian_filter, label, shift
 from skimage.measure import marching_cubes
 
 
-def surface(path):
-    """Vertices, mm, and faces of the largest piece of a label volume."""
+def surface(path, offset=0.0):
+    """Vertices, mm, and faces of the largest piece of a label volume; with another offset of the grid, in voxels, another sampling of it."""
     image = nib.load(path)
     data = np.asarray(image.dataobj) > 0
     parts, n = label(data)
     if n > 1:
         data = parts == np.bincount(parts.ravel())[1:].argmax() + 1
-    vertices, faces, _, _ = marching_cubes(gaussian_filter(np.pad(data, 4).astype(float), 0.7), 0.5)
-    vertices = nib.affines.apply_affine(image.affine, vertices - 4)
+    smooth = gaussian_filter(np.pad(data, 4).astype(float), 0.7)
+    vertices, faces, _, _ = marching_cubes(shift(smooth, offset) if offset else smooth, 0.5)
+    vertices = nib.affines.apply_affine(image.affine, vertices - 4 - offset)
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     return vertices, faces if np.einsum("ij,ij->", a, np.cross(b, c)) > 0 else faces[:, ::-1]
 
@@ -43,6 +44,13 @@ def thinned(vertices, faces, radius_mm, depth_mm):
     return vertices - depth_mm * patch(vertices, radius_mm)[:, None] * normals(vertices, faces)
 
 
+def deformation(rng, width_mm, deviation_mm, waves=400):
+    """A random smooth displacement of space: a Gaussian process of this width, and standard deviation of each coordinate."""
+    frequencies, phases = rng.normal(0, 1 / width_mm, (waves, 3)), rng.uniform(0, 2 * np.pi, (waves, 3))
+    amplitudes = rng.normal(0, deviation_mm * np.sqrt(2 / waves), (waves, 3))
+    return lambda points: np.stack([np.cos(points @ frequencies.T + phases[:, axis]) @ amplitudes[:, axis] for axis in range(3)], axis=1)
+
+
 def write_ply(path, vertices, faces):
     with open(path, "wb") as file:
         file.write((f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\nproperty double x\nproperty double y\n"
@@ -64,12 +72,12 @@ def maps(folder, name):
     return {array.meta["Name"]: array.data for array in image.darrays}
 
 
-def found_in_patch(folder, measure, radius_mm):
+def found_in_patch(folder, measure, radius_mm, contrast="patient-control"):
     """How much of the true patch a study finds, and how much of what it finds lies outside of it, for each kind of p."""
     vertices, _ = gifti(folder / "mean.surf.gii")
     weight = patch(vertices.astype(float), radius_mm)
     truth, outside = weight > 0.5, weight == 0
-    arrays = maps(folder, f"{measure}.patient-control")
+    arrays = maps(folder, f"{measure}.{contrast}")
     found = {}
     for kind, p in (("tfce_fwe", "p_tfce_fwe"), ("fdr", "q_fdr"), ("uncorrected", "robust_p")):
         hit = arrays[p] < 0.05

@@ -6,7 +6,8 @@ use super::output::print;
 use crate::config::file::{self, FileSettings};
 use crate::config::{HttpSettings, ServiceSettings, WorkerEnd};
 use clap::parser::ValueSource;
-use clap::{Arg, ArgAction, ArgMatches, Command};
+use clap::{Arg, ArgAction, ArgMatches, Command, FromArgMatches};
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -102,16 +103,18 @@ fn with_defaults(command: Command, settings: &FileSettings) -> Command {
 /// Prints all settings.
 pub(super) fn run(program: &Command, matches: &ArgMatches, file: &FileSettings) -> Result<(), CliError> {
     let matches = innermost(matches);
+    let measured = ConfigArgs::from_arg_matches(matches).map(|settings| settings.service.on_this_machine());
+    let measured = BTreeMap::from(measured.map_err(|error| CliError::BadInput(error.to_string()))?);
     let config = program.find_subcommand(CONFIG);
     let lines =
         config.into_iter().flat_map(Command::get_arguments).filter(|argument| is_setting(argument)).map(|argument| {
             let name = argument.get_id().as_str();
             let source = match matches.value_source(name) {
-                Some(ValueSource::CommandLine) => "command line",
-                Some(ValueSource::EnvVariable) => "environment",
-                Some(_) if file.contains_key(name) => "file",
-                Some(_) => "default",
-                None => "not set",
+                Some(ValueSource::CommandLine) => "command line".to_owned(),
+                Some(ValueSource::EnvVariable) => "environment".to_owned(),
+                Some(_) if file.contains_key(name) => "file".to_owned(),
+                Some(_) => "default".to_owned(),
+                None => measured.get(name).map_or("not set".to_owned(), |here| format!("not set; here {here}")),
             };
             match values(argument, matches) {
                 None => format!("# {name} = {:<width$} # {source}", "", width = 46usize.saturating_sub(name.len() + 2)),

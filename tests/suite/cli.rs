@@ -278,7 +278,9 @@ fn settings_come_from_the_file_the_environment_and_the_command_line_in_this_orde
     expect("retain_results_days", "7.5", "file");
     expect("max_jobs", "5", "file");
     expect("listen", "\"127.0.0.1:8080\"", "default");
-    assert_eq!(line("cores").1, "not set");
+    let cores = std::thread::available_parallelism().unwrap();
+    assert_eq!(line("cores").1, format!("not set; here {cores}"));
+    assert_eq!(line("max_stored_bytes").1, "not set");
     assert_eq!(line("database_url"), ("# database_url = \"***\"".to_owned(), "file".to_owned()));
     assert!(!printed.contains("geheim"));
 

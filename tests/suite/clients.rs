@@ -1,5 +1,5 @@
 //! Third-party programs: clients that generators make from the OpenAPI document, the Python package from its wheel, and
-//! the examples of the documentation, each against the real program. `scripts/setup test` installs their dependencies.
+//! the examples of the documentation, each against the real program. `scripts/setup campaigns` installs their dependencies.
 
 use super::faults::site::{Backend, Program, Site};
 use super::representations::small_volumes;
@@ -67,7 +67,7 @@ fn copy(folder: &Path, names: &[&str]) {
 }
 
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn openapi_python_client_makes_a_client_that_does_everything() {
     let (_site, program, folder) = service();
     let mut generate = python("openapi-python-client");
@@ -82,7 +82,7 @@ async fn openapi_python_client_makes_a_client_that_does_everything() {
 }
 
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn datamodel_code_generator_makes_models_with_the_bounds_of_the_service() {
     let (_site, program, folder) = service();
     let mut generate = python("datamodel-codegen");
@@ -103,7 +103,7 @@ async fn datamodel_code_generator_makes_models_with_the_bounds_of_the_service() 
 }
 
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn openapi_typescript_makes_types_that_compile_and_hold() {
     let (_site, program, folder) = service();
     modules(folder.path());
@@ -123,7 +123,7 @@ async fn openapi_typescript_makes_types_that_compile_and_hold() {
 }
 
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn openapi_generator_makes_a_client_in_java() {
     let (_site, program, folder) = service();
     let mut find = python("python");
@@ -202,7 +202,7 @@ fn package_examples() -> [String; 3] {
 
 /// The example in the package's README as written, and the study of twenty subjects.
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn the_python_package_is_all_that_a_researcher_installs() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
@@ -251,7 +251,7 @@ mod real_data {
     use crate::fixtures::real_files;
 
     #[tokio::test]
-    #[ignore = "needs real data (hippocampus) and the generators that scripts/setup test installs"]
+    #[ignore = "needs real data (hippocampus) and the generators that scripts/setup campaigns installs"]
     async fn twenty_real_subjects_against_a_template_take_ten_lines() {
         let folder = tempfile::tempdir().unwrap();
         let here = folder.path();
@@ -287,7 +287,7 @@ fn blocks(document: &str, heading: &str, language: &str) -> String {
 }
 
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn examples_of_the_documentation_run_as_written() {
     let (_site, program, folder) = service();
     let here = folder.path();
@@ -367,7 +367,7 @@ async fn examples_of_the_documentation_run_as_written() {
 
 /// The README's commands for the command line and the service, one after the other.
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn examples_of_the_readme_run_as_written() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();

@@ -1,5 +1,5 @@
 //! Every output of the service and of the command line, opened by programs of its users: NumPy, nibabel, VTK, meshio,
-//! trimesh, pyarrow, ITK. `scripts/setup test` creates their Python environment.
+//! trimesh, pyarrow, ITK. `scripts/setup campaigns` creates their Python environment.
 
 use super::clients::{root, said};
 use super::faults::site::{Backend, Site};
@@ -22,7 +22,7 @@ fn assert_accepted(folder: &Path) {
 }
 
 #[tokio::test]
-#[ignore = "needs the Python environment that scripts/setup test makes"]
+#[ignore = "needs the Python environment that scripts/setup campaigns makes"]
 async fn every_format_of_the_service_is_read_as_written() {
     for surface in ["voxel", "smooth"] {
         let parameters = json!({"input": {"surface": surface}, "both_directions": true});
@@ -54,7 +54,7 @@ async fn every_format_of_the_service_is_read_as_written() {
 
 /// The module for 3D Slicer without its window: sends surfaces to the service, and turns answers into VTK objects.
 #[tokio::test]
-#[ignore = "needs the Python environment that scripts/setup test makes"]
+#[ignore = "needs the Python environment that scripts/setup campaigns makes"]
 async fn the_module_for_slicer_matches_surfaces() {
     let site = Site::open(Backend::Sqlite);
     let program = site.program(&["--log", "error"]);
@@ -64,7 +64,7 @@ async fn the_module_for_slicer_matches_surfaces() {
 }
 
 #[test]
-#[ignore = "needs the Python environment that scripts/setup test makes"]
+#[ignore = "needs the Python environment that scripts/setup campaigns makes"]
 fn every_file_of_the_command_line_is_read_as_written() {
     let folder = tempfile::tempdir().unwrap();
     let homolog = || Command::new(env!("CARGO_BIN_EXE_homolog"));
@@ -86,7 +86,7 @@ fn every_file_of_the_command_line_is_read_as_written() {
 }
 
 #[test]
-#[ignore = "needs the Python environment that scripts/setup test makes"]
+#[ignore = "needs the Python environment that scripts/setup campaigns makes"]
 fn every_file_of_a_study_is_read_as_written() {
     let place = tempfile::tempdir().unwrap();
     let table = super::studies::cohort(place.path(), 6);

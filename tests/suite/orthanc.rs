@@ -99,7 +99,7 @@ fn python(script: &str, arguments: &[&Path]) {
 }
 
 #[test]
-#[ignore = "needs dciodvfy and the Python environment that scripts/setup test makes"]
+#[ignore = "needs dciodvfy and the Python environment that scripts/setup campaigns makes"]
 fn a_bent_structure_is_a_segmentation_on_the_grid_of_the_target() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
@@ -141,7 +141,7 @@ fn a_bent_structure_is_a_segmentation_on_the_grid_of_the_target() {
 }
 
 #[tokio::test]
-#[ignore = "needs Orthanc, dciodvfy and the Python environment that scripts/setup test makes"]
+#[ignore = "needs Orthanc, dciodvfy and the Python environment that scripts/setup campaigns makes"]
 async fn a_registration_comes_back_to_the_study_whatever_is_restarted() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);

@@ -231,7 +231,7 @@ async fn the_receiver_in_python_of_the_documentation_verifies_deliveries() {
 }
 
 #[tokio::test]
-#[ignore = "needs the generators that scripts/setup test installs"]
+#[ignore = "needs the generators that scripts/setup campaigns installs"]
 async fn the_receiver_in_typescript_of_the_documentation_compiles_and_verifies_deliveries() {
     let folder = tempfile::tempdir().unwrap();
     let packages = concat!(env!("CARGO_MANIFEST_DIR"), "/target/clients-npm/node_modules");

@@ -210,7 +210,7 @@ impl Installed {
         let mut packaged: Vec<_> = fs::read_dir("/usr/lib/postgresql").into_iter().flatten().flatten().collect();
         packaged.sort_by_key(|version| std::cmp::Reverse(version.file_name()));
         folders.extend(packaged.iter().map(|version| version.path().join("bin")));
-        let missing = "no PostgreSQL server (initdb) found; scripts/setup test installs it";
+        let missing = "no PostgreSQL server (initdb) found; scripts/setup campaigns installs it";
         // The program may be a symbolic link; all programs are in the folder of its target.
         let initdb = folders.iter().find_map(|folder| folder.join("initdb").canonicalize().ok()).ok_or(missing)?;
         let programs = initdb.parent().filter(|p| p.join("postgres").exists()).ok_or(missing)?.to_owned();

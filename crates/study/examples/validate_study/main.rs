@@ -96,12 +96,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 const HEADER: &str = "\
-Effect: mean over the part of the patch that moves by more than half of the height. SE: median standard error (HC3) there. Found: share \
-of the area of that part with a corrected p (TFCE, family-wise) up to 0.05. False: share of the significant area outside of the patch. \
+Effect: mean over the part of the patch that moves by more than half of the height. SE: median standard error (HC3) there. Beyond 2 SE: \
+share of the area of that part where the effect has the sign of the deformation and exceeds two standard errors. Found: share of it with a \
+corrected p (TFCE, family-wise) up to 0.05. False: share of the significant area outside of the patch. \
 Distance: from the largest |t| to the middle of the patch on the mean.
 
-| radius, height, mm | n | maps | effect, mm | put there, mm | SE, mm | found | false | distance, mm |
-|---|---|---|---|---|---|---|---|---|
+| radius, height, mm | n | maps | effect, mm | put there, mm | SE, mm | beyond 2 SE | found | false | distance, mm |
+|---|---|---|---|---|---|---|---|---|---|
 ";
 
 /// A line of the report.
@@ -111,8 +112,11 @@ fn row(plant: &Plant, n: usize, maps: Maps, found: &Findings) -> Result<String, 
     let (linear, permuted) = map.linear.as_ref().ok_or("there is no permutation test")?;
     let (expected, areas) = (plant.expected(&found.mean), homolog_study::align::vertex_areas(&found.mean));
     let patch: Vec<usize> = (0..expected.len()).filter(|&v| expected[v].abs() > 0.5 * plant.height_mm.abs()).collect();
-    let area = |of: &dyn Fn(usize) -> bool| (0..areas.len()).filter(|&v| of(v)).map(|v| areas[v]).sum::<f64>();
+    // An empty sum is −0.
+    let area = |of: &dyn Fn(usize) -> bool| (0..areas.len()).filter(|&v| of(v)).map(|v| areas[v]).sum::<f64>() + 0.0;
     let is_in: Vec<bool> = (0..areas.len()).map(|v| patch.contains(&v)).collect();
+    let is_beyond = |v: usize| linear.effect[v] * expected[v].signum() > 2.0 * linear.robust_se[v];
+    let whole = area(&|v| is_in[v]).max(f64::MIN_POSITIVE);
     let is_found = |v: usize| permuted.p_tfce[v] <= 0.05;
     let significant = area(&is_found);
     let beside = area(&|v| is_found(v) && expected[v] == 0.0);
@@ -123,14 +127,15 @@ fn row(plant: &Plant, n: usize, maps: Maps, found: &Findings) -> Result<String, 
     let largest = (0..t.len()).fold(0, |best, v| if t[v].abs() > t[best].abs() { v } else { best });
     let distance = (found.mean.vertices()[largest] - plant.middle(&found.mean)).norm();
     Ok(format!(
-        "| {:.0}, {:+.1} | {n} | {} | {:+.2} | {:+.2} | {:.2} | {:.2} | {:.3} | {distance:.1} |",
+        "| {:.0}, {:+.1} | {n} | {} | {:+.2} | {:+.2} | {:.2} | {:.2} | {:.2} | {:.3} | {distance:.1} |",
         plant.radius_mm,
         plant.height_mm,
         maps.name(),
         mean(&linear.effect),
         mean(&expected),
         errors.get(errors.len() / 2).copied().unwrap_or(f64::NAN),
-        area(&|v| is_in[v] && is_found(v)) / area(&|v| is_in[v]).max(f64::MIN_POSITIVE),
+        area(&|v| is_in[v] && is_beyond(v)) / whole,
+        area(&|v| is_in[v] && is_found(v)) / whole,
         if beside > 0.0 { beside / significant } else { 0.0 },
     ))
 }

@@ -404,7 +404,7 @@ impl ServiceSettings {
 
     /// Most cores that a job gets here; where no job runs here, in another process, of which the same is assumed.
     fn cores_of_job(&self) -> usize {
-        let cores = self.cores.map_or_else(machine::cores, usize::from).max(1);
+        let cores = self.cores_for_jobs();
         self.workers.filter(|&slots| slots > 0).map_or(cores, |slots| (cores / slots).max(1))
     }
 
@@ -426,6 +426,11 @@ impl ServiceSettings {
         Ok(Some(IsolationSettings { price: self.price_limit(), prepared_bytes: self.prepared_bytes(), at_once, ..own }))
     }
 
+    /// Cores for jobs, at least one.
+    fn cores_for_jobs(&self) -> usize {
+        self.cores.map_or_else(machine::cores, usize::from)
+    }
+
     /// Memory for jobs and prepared surfaces, bytes.
     fn memory_for_jobs(&self) -> u64 {
         self.memory_bytes.unwrap_or_else(jobs_memory_bytes)
@@ -433,7 +438,7 @@ impl ServiceSettings {
 
     /// The values of settings whose defaults depend on the machine or the container, by their names in the file.
     pub fn on_this_machine(&self) -> [(&'static str, u64); 2] {
-        [("cores", self.worker_settings().cores as u64), ("memory_bytes", self.memory_for_jobs())]
+        [("cores", self.cores_for_jobs() as u64), ("memory_bytes", self.memory_for_jobs())]
     }
 
     /// How long a job waits after the first loss of its worker.
@@ -450,7 +455,7 @@ impl ServiceSettings {
     pub fn worker_settings(&self) -> WorkerSettings {
         let lease = Duration::from_millis(self.lease_ms);
         WorkerSettings {
-            cores: self.cores.map_or_else(machine::cores, usize::from),
+            cores: self.cores_for_jobs(),
             memory_bytes: self.memory_for_jobs() - self.prepared_bytes(),
             slots: self.workers,
             patience: Duration::from_millis(self.patience_ms),

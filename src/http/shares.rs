@@ -4,7 +4,7 @@
 use super::auth_mode::AuthMode;
 use crate::jobs::Tenant;
 use axum::http::Extensions;
-use parking_lot::{Mutex, MutexGuard};
+use parking_lot::Mutex;
 use std::collections::HashMap;
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -60,12 +60,8 @@ impl Shares {
         Arc::new(Shares { total, each, taken: Mutex::default(), returned: Notify::new() })
     }
 
-    fn lock(&self) -> MutexGuard<'_, HashMap<String, u64>> {
-        self.taken.lock()
-    }
-
     fn add(&self, owner: &str, n: u64) -> bool {
-        let mut taken = self.lock();
+        let mut taken = self.taken.lock();
         let own = taken.get(owner).copied().unwrap_or(0);
         let all: u64 = taken.values().sum();
         let fits = own.saturating_add(n) <= self.each && all.saturating_add(n) <= self.total;
@@ -115,7 +111,7 @@ impl SharePermit {
 
 impl Drop for SharePermit {
     fn drop(&mut self) {
-        let mut taken = self.shares.lock();
+        let mut taken = self.shares.taken.lock();
         if let Some(own) = taken.get_mut(&self.owner) {
             *own = own.saturating_sub(self.n);
             if *own == 0 {
@@ -148,6 +144,6 @@ mod tests {
         drop(first);
         assert!(waiting.await.unwrap());
         drop(second);
-        assert!(shares.lock().is_empty(), "owners without a part are forgotten");
+        assert!(shares.taken.lock().is_empty(), "owners without a part are forgotten");
     }
 }

@@ -12,7 +12,7 @@ use axum::extract::Request;
 use axum::extract::multipart::{Field, MultipartError};
 use bytes::{Bytes, BytesMut};
 use http_body::Frame;
-use parking_lot::{Mutex, MutexGuard};
+use parking_lot::Mutex;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::task::{Context, Poll, ready};
@@ -86,26 +86,22 @@ impl LimitedBody {
         (Request::from_parts(parts, Body::new(tap.clone())), tap)
     }
 
-    fn lock(&self) -> MutexGuard<'_, Tapped> {
-        self.0.lock()
-    }
-
     /// Counts the body from now on; its resources are returned when the tap is dropped.
     pub(super) fn count(&self, reading: Reading) {
-        let mut tapped = self.lock();
+        let mut tapped = self.0.lock();
         tapped.pace = Some(Pace::new(reading.least));
         tapped.reading = Some(reading);
     }
 
     /// Lowers the limit.
     pub(super) fn limit_to(&self, limit: usize) {
-        let mut tapped = self.lock();
+        let mut tapped = self.0.lock();
         tapped.limit = tapped.limit.min(limit);
     }
 
     /// The answer to a body that was not read to its end because of a limit; `None` if the client ended it early.
     pub(super) fn refusal(&self) -> Option<Problem> {
-        let tapped = self.lock();
+        let tapped = self.0.lock();
         Some(match tapped.refusal? {
             Refusal::TooLarge => Problem::new(ProblemKind::BodyTooLarge).member("limit_bytes", tapped.limit.into()),
             Refusal::TooSlow => Problem::new(ProblemKind::UploadTimeout),
@@ -115,7 +111,7 @@ impl LimitedBody {
 
     /// Whether the client has sent more than the limit.
     pub(super) fn is_over(&self) -> bool {
-        self.lock().refusal == Some(Refusal::TooLarge)
+        self.0.lock().refusal == Some(Refusal::TooLarge)
     }
 
     /// What `reading` returns. Drains the body after an error, so that the client sees the answer.
@@ -130,7 +126,7 @@ impl LimitedBody {
     /// Reads and discards the rest of the body, up to the allowed size once more.
     async fn drain(&self) {
         {
-            let mut tapped = self.lock();
+            let mut tapped = self.0.lock();
             if tapped.refusal == Some(Refusal::TooSlow) {
                 return; // such a client is not waited for a second time
             }
@@ -191,7 +187,7 @@ impl HttpBody for LimitedBody {
     type Error = axum::Error;
 
     fn poll_frame(self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
-        let tapped = &mut *self.lock();
+        let tapped = &mut *self.0.lock();
         loop {
             let (frame, since) = match tapped.held_back.take() {
                 Some(held_back) => held_back,

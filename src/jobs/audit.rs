@@ -9,7 +9,7 @@
 use super::error::JobError;
 use super::job::Tenant;
 use async_trait::async_trait;
-use parking_lot::{Mutex, MutexGuard};
+use parking_lot::Mutex;
 use ring::digest::{SHA256, digest};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write as _;
@@ -260,16 +260,12 @@ impl Recorder {
         Arc::new(Recorder { store, queue: Mutex::default(), idle: Notify::new() })
     }
 
-    fn lock(&self) -> MutexGuard<'_, Queue> {
-        self.queue.lock()
-    }
-
     /// Appends an event, also if the returned future is dropped. Completes with whether the row is stored; an event that
     /// could not be stored is in the log of the process instead.
     pub fn record(self: &Arc<Self>, event: AuditEvent) -> impl Future<Output = bool> + Send + use<> {
         let (done, stored) = oneshot::channel();
         let begins = {
-            let mut queue = self.lock();
+            let mut queue = self.queue.lock();
             if event.tenant.is_none() && !queue.admits_anonymous() {
                 metrics::counter!("homolog_audit_rows_total", "row" => "left out").increment(1);
                 let _ = done.send(true);
@@ -288,7 +284,7 @@ impl Recorder {
     async fn write(self: Arc<Self>) {
         loop {
             let batch: Vec<_> = {
-                let mut queue = self.lock();
+                let mut queue = self.queue.lock();
                 let n = queue.waiting.len().min(AT_ONCE);
                 if n == 0 {
                     queue.is_writing = false;
@@ -323,7 +319,7 @@ impl Recorder {
             let idle = self.idle.notified();
             let mut idle = std::pin::pin!(idle);
             idle.as_mut().enable();
-            if !self.lock().is_writing {
+            if !self.queue.lock().is_writing {
                 return;
             }
             idle.await;

@@ -73,7 +73,7 @@ impl Heartbeats {
     pub(crate) fn watch(&self, lease: &Lease, control: Arc<Control>) -> Watch {
         let now = Instant::now();
         let watched = Watched { control, extended: now, attempted: now };
-        self.shared.lock().insert(lease.clone(), watched);
+        self.shared.watched.lock().insert(lease.clone(), watched);
         Watch { shared: Arc::clone(&self.shared), lease: lease.clone() }
     }
 
@@ -91,21 +91,15 @@ impl Drop for Heartbeats {
 
 impl Drop for Watch {
     fn drop(&mut self) {
-        self.shared.lock().remove(&self.lease);
-    }
-}
-
-impl Shared {
-    fn lock(&self) -> parking_lot::MutexGuard<'_, HashMap<Lease, Watched>> {
-        self.watched.lock()
+        self.shared.watched.lock().remove(&self.lease);
     }
 }
 
 async fn check_all(shared: &Shared, store: &dyn JobStore, interval: Duration, duration: Duration) {
-    let watched: Vec<(Lease, Watched)> = shared.lock().iter().map(|(l, w)| (l.clone(), w.clone())).collect();
+    let watched: Vec<(Lease, Watched)> = shared.watched.lock().iter().map(|(l, w)| (l.clone(), w.clone())).collect();
     // Concurrently: one unanswered statement must not delay the others until their leases expire.
     join_all(watched.iter().map(|(lease, watched)| check(shared, store, lease, watched, interval, duration))).await;
-    if shared.lock().is_empty() && !shared.healthy.load(Ordering::Acquire) {
+    if shared.watched.lock().is_empty() && !shared.healthy.load(Ordering::Acquire) {
         shared.healthy.store(store.ping().await.is_ok(), Ordering::Release);
     }
 }
@@ -124,7 +118,7 @@ async fn check(
     let due = asked - *attempted >= interval;
     let answer = if due { store.heartbeat(lease, duration).await } else { store.lease_status(lease).await };
     shared.healthy.store(answer.is_ok(), Ordering::Release);
-    let mut held = shared.lock();
+    let mut held = shared.watched.lock();
     let Some(entry) = held.get_mut(lease) else { return };
     if due {
         entry.attempted = asked;

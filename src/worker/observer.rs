@@ -38,34 +38,30 @@ impl JobObserver {
 
     /// Ends the span of the last phase.
     pub(crate) fn end_phase(&self) {
-        self.lock().phase_span = Span::default();
+        self.observed.lock().phase_span = Span::default();
     }
 
     /// Sets the energy of the result, which may differ from the energy of the last trace point.
     pub(crate) fn settle_energy(&self, energy: f64) {
-        let mut observed = self.lock();
+        let mut observed = self.observed.lock();
         observed.progress.energy_latest = Some(energy);
         observed.changed = true;
     }
 
     /// Trace and progress since the last call; `None` if there is nothing new.
     pub(crate) fn take(&self) -> Option<TraceChunk> {
-        let mut observed = self.lock();
+        let mut observed = self.observed.lock();
         if !observed.changed {
             return None;
         }
         observed.changed = false;
         Some(TraceChunk { points: std::mem::take(&mut observed.points), progress: observed.progress.clone() })
     }
-
-    fn lock(&self) -> parking_lot::MutexGuard<'_, Observed> {
-        self.observed.lock()
-    }
 }
 
 impl Observer for JobObserver {
     fn phase(&self, phase: Phase) {
-        let mut observed = self.lock();
+        let mut observed = self.observed.lock();
         // The span of the previous phase ends first.
         observed.phase_span = Span::default();
         observed.phase_span = Span::part(phase.name(), self.context.as_deref());
@@ -76,7 +72,7 @@ impl Observer for JobObserver {
     }
 
     fn progress(&self, fraction: f64) {
-        let mut observed = self.lock();
+        let mut observed = self.observed.lock();
         // NaN fails the comparison and is ignored.
         if fraction > observed.progress.fraction {
             observed.progress.fraction = fraction.min(1.0);
@@ -86,7 +82,7 @@ impl Observer for JobObserver {
 
     fn trace(&self, point: &TracePoint) {
         let elapsed_ms = u64::try_from(self.started.elapsed().as_millis()).unwrap_or(u64::MAX);
-        let mut observed = self.lock();
+        let mut observed = self.observed.lock();
         observed.last_seq += 1;
         let point = NumberedPoint { seq: observed.last_seq, point: finite(point), elapsed_ms };
         observed.progress.iteration = Some(point.point.iteration);

@@ -4,7 +4,7 @@
 //! none.
 
 use crate::plan::hash;
-use parking_lot::{Mutex, MutexGuard};
+use parking_lot::Mutex;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
 use std::fs;
@@ -40,10 +40,6 @@ pub(crate) enum Storage {
     Memory(Mutex<BTreeMap<String, Vec<u8>>>, Box<dyn Inputs>),
 }
 
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock()
-}
-
 impl Storage {
     /// The path of a file, for people.
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -58,7 +54,7 @@ impl Storage {
         let (folder, written) = match self {
             Storage::Disk(folder, written) => (folder, written),
             Storage::Memory(files, _) => {
-                locked(files).insert(name.to_owned(), bytes.to_vec());
+                files.lock().insert(name.to_owned(), bytes.to_vec());
                 return Ok(());
             }
         };
@@ -89,7 +85,7 @@ impl Storage {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
                 Err(error) => Err(error),
             },
-            Storage::Memory(files, _) => Ok(locked(files).get(name).cloned()),
+            Storage::Memory(files, _) => Ok(files.lock().get(name).cloned()),
         }
     }
 
@@ -104,7 +100,7 @@ impl Storage {
                 Ok(bytes)
             }
             Storage::Memory(files, _) => {
-                let files = locked(files);
+                let files = files.lock();
                 let file = files.get(name).ok_or(io::ErrorKind::NotFound)?;
                 let found = file.get(part.start as usize..part.end as usize);
                 Ok(found.ok_or(io::ErrorKind::UnexpectedEof)?.to_vec())
@@ -117,7 +113,7 @@ impl Storage {
         match self {
             // A file that cannot be removed is replaced later or harmless.
             Storage::Disk(folder, _) => drop(fs::remove_file(folder.join(name))),
-            Storage::Memory(files, _) => drop(locked(files).remove(name)),
+            Storage::Memory(files, _) => drop(files.lock().remove(name)),
         }
     }
 
@@ -132,7 +128,7 @@ impl Storage {
                     }
                 }
             }
-            Storage::Memory(files, _) => locked(files).retain(|name, _| {
+            Storage::Memory(files, _) => files.lock().retain(|name, _| {
                 let in_part = name.strip_prefix(part).and_then(|rest| rest.strip_prefix('/'));
                 in_part.is_none_or(|name| names.contains(name))
             }),

@@ -211,15 +211,11 @@ struct Channel(Arc<Mutex<UnixStream>>);
 
 impl Channel {
     fn read<H: serde::de::DeserializeOwned>(&self) -> Result<(H, Vec<u8>), FrameError> {
-        read_frame(&mut *self.lock(), Longest::FROM_PARENT)
+        read_frame(&mut *self.0.lock(), Longest::FROM_PARENT)
     }
 
     fn tell(&self, told: &ChildMessage, body: &[&[u8]]) -> Result<(), FrameError> {
-        Ok(write_frame(&mut *self.lock(), told, body)?)
-    }
-
-    fn lock(&self) -> parking_lot::MutexGuard<'_, UnixStream> {
-        self.0.lock()
+        Ok(write_frame(&mut *self.0.lock(), told, body)?)
     }
 }
 
@@ -227,7 +223,7 @@ impl Channel {
 impl StudyInputs for Channel {
     fn read(&self, hash: &str) -> io::Result<Vec<u8>> {
         // Locked from request to answer, so that another thread cannot receive the answer to this request.
-        let mut stream = self.lock();
+        let mut stream = self.0.lock();
         write_frame(&mut *stream, &ChildMessage::Fetch(hash.to_owned()), &[])?;
         match read_frame(&mut *stream, Longest::FROM_PARENT) {
             Ok((Request::Fetched { error: None }, bytes)) => Ok(bytes),

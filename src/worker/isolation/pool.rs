@@ -65,10 +65,6 @@ enum Order {
 }
 
 impl Shared {
-    fn lock(&self) -> parking_lot::MutexGuard<'_, Waiting> {
-        self.waiting.lock()
-    }
-
     fn start(&self) -> io::Result<Child> {
         let ChildSettings { program, beginning, n_threads, .. } = &self.upbringing;
         Child::start(program, beginning, *n_threads)
@@ -90,7 +86,7 @@ impl Children {
         let children = Children { shared, orders };
         let first = children.started()?;
         let confinement = first.confinement;
-        children.shared.lock().spare = Some(first);
+        children.shared.waiting.lock().spare = Some(first);
         Ok((children, confinement))
     }
 
@@ -118,7 +114,7 @@ impl Children {
     /// The resting child that knows most of these files; among equals, the one that has rested for the shortest time.
     fn rested(&self, owner: &str, hashes: &[[u8; 32]]) -> Option<Child> {
         loop {
-            let mut waiting = self.shared.lock();
+            let mut waiting = self.shared.waiting.lock();
             let of_owner =
                 waiting.resting.iter().enumerate().filter(|(_, child)| child.owner.as_deref() == Some(owner));
             let (place, _) = of_owner.max_by_key(|(place, child)| (child.n_known(hashes), *place))?;
@@ -136,7 +132,7 @@ impl Children {
     /// # Errors
     /// If none can be started.
     pub(super) fn take_fresh(&self) -> io::Result<Child> {
-        let spare = self.shared.lock().spare.take();
+        let spare = self.shared.waiting.lock().spare.take();
         let spare = spare.and_then(|mut child| if child.is_alive() { Some(child) } else { None });
         let child = match spare {
             Some(child) => child,
@@ -153,7 +149,7 @@ impl Children {
             return end(child, "grown");
         }
         child.rested = std::time::Instant::now();
-        let mut waiting = self.shared.lock();
+        let mut waiting = self.shared.waiting.lock();
         waiting.resting.push(child);
         let over = waiting.resting.len() > self.shared.upbringing.most_resting;
         let oldest = over.then(|| waiting.resting.remove(0));
@@ -183,10 +179,10 @@ fn raise(shared: &Shared, orders: &Receiver<Order>) {
                 let _ = caller.send(shared.start());
             }
             Ok(Order::Spare) => {
-                let is_missing = shared.lock().spare.is_none();
+                let is_missing = shared.waiting.lock().spare.is_none();
                 if is_missing {
                     match shared.start() {
-                        Ok(child) => shared.lock().spare = Some(child),
+                        Ok(child) => shared.waiting.lock().spare = Some(child),
                         // The next caller that needs a child starts it or receives the error.
                         Err(error) => tracing::warn!(%error, "no spare process for computations"),
                     }
@@ -196,7 +192,7 @@ fn raise(shared: &Shared, orders: &Receiver<Order>) {
             Err(RecvTimeoutError::Disconnected) => return,
         }
         let rested: Vec<Child> = {
-            let mut waiting = shared.lock();
+            let mut waiting = shared.waiting.lock();
             waiting.resting.extract_if(.., |child| child.rested.elapsed() > REST).collect()
         };
         rested.into_iter().for_each(|child| end(child, "rested"));

@@ -90,7 +90,7 @@ demo: build
 	  $(if $(SOURCE),"$(SOURCE)") $(if $(TARGET),"$(TARGET)")
 
 test:
-	@scripts/setup test
+	@scripts/setup build
 	@CARGO="$(CARGO)" scripts/test
 
 long:

@@ -109,36 +109,41 @@ if "atrophy" in parts:
             for kind, found in found_in_patch(result, measure, PATCH_MM).items():
                 say(f"atrophy {name} {measure} {kind}", **found)
 
-# Pairs that are made up: both sides are a real structure, sampled twice and deformed at random; all right ones are thinned in a patch.
-ASYMMETRY_MM, OWN_WIDTH_MM, OWN_DEVIATION_MM = {"known": (12.0, 0.5), "none": (12.0, 0.0)}, 12.0, 0.3
+# Pairs that are made up: both sides are a real structure, sampled twice and deformed at random. The right ones are thinned in a patch,
+# and once more are not.
+ASYMMETRY_PATCH_MM, ASYMMETRY_DEPTHS_MM, OWN_WIDTH_MM, OWN_DEVIATION_MM = 12.0, {"known": 0.5, "none": 0.0}, 12.0, 0.3
 
 if "asymmetry" in parts:
-    for name, (radius_mm, depth_mm) in ASYMMETRY_MM.items():
-        folder, rng, rows = out / f"asymmetry-{name}-subjects", np.random.default_rng(11), []
-        folder.mkdir(exist_ok=True)
-        for k, file in enumerate(spread(n)):
-            for side, offset in (("left", 0.0), ("right", 0.5)):
-                vertices, faces = surface(file, offset)
-                vertices = vertices + deformation(rng, OWN_WIDTH_MM, OWN_DEVIATION_MM)(vertices)
-                if side == "right":
-                    vertices, faces = thinned(vertices, faces, radius_mm, depth_mm) * [-1, 1, 1], faces[:, ::-1]
-                write_ply(folder / f"p{k:02}-{side}.ply", vertices, faces)
-                rows.append({"id": f"p{k:02}-{side}", "file": folder / f"p{k:02}-{side}.ply", "subject": f"p{k:02}", "side": side})
+    folder, rng = out / "asymmetry-subjects", np.random.default_rng(11)
+    folder.mkdir(exist_ok=True)
+    rows = {name: [] for name in ASYMMETRY_DEPTHS_MM}
+    for k, file in enumerate(spread(n)):
+        for side, offset in (("left", 0.0), ("right", 0.5)):
+            vertices, faces = surface(file, offset)
+            vertices = vertices + deformation(rng, OWN_WIDTH_MM, OWN_DEVIATION_MM)(vertices)
+            for name, depth_mm in ASYMMETRY_DEPTHS_MM.items():
+                path = folder / (f"p{k:02}-left.ply" if side == "left" else f"p{k:02}-right-{name}.ply")
+                rows[name].append({"id": f"p{k:02}-{side}", "file": path, "subject": f"p{k:02}", "side": side})
+                if side == "left":
+                    write_ply(path, vertices, faces)
+                else:
+                    write_ply(path, thinned(vertices, faces, ASYMMETRY_PATCH_MM, depth_mm) * [-1, 1, 1], faces[:, ::-1])
+    for name, depth_mm in ASYMMETRY_DEPTHS_MM.items():
         result = out / f"asymmetry-{name}"
         options = ["--template", out / "asymmetry-known/template/template.ply"] if name == "none" else []
-        seconds, processor, memory = study(table(out / f"asymmetry-{name}.csv", rows), result, "--effect", "side", "--template-side", "left",
-                                           "--permutations", 2000, *options)
-        say(f"asymmetry {name}", pairs=n, seconds=round(seconds, 1), processor_seconds=round(processor, 1))
+        seconds, processor, _ = study(table(out / f"asymmetry-{name}.csv", rows[name]), result, "--effect", "side", "--template-side", "left",
+                                      "--permutations", 2000, *options)
         vertices = gifti(result / "mean.surf.gii")[0].astype(float)
-        weight = patch(vertices, radius_mm)
+        weight = patch(vertices, ASYMMETRY_PATCH_MM)
+        say(f"asymmetry {name}", pairs=n, put_in_patch_mm=round(-depth_mm * float(weight[weight > 0.5].mean()), 3), seconds=round(seconds, 1),
+            processor_seconds=round(processor, 1))
         for measure in ("normal_displacement", "thickness", "log_area"):
             arrays = maps(result, f"{measure}.right-left")
-            kinds = found_in_patch(result, measure, radius_mm, "right-left")
             largest = np.argmax(np.abs(arrays["t"]))
             distance = np.linalg.norm(vertices[largest] - vertices[np.argmax(weight)])
-            say(f"asymmetry {name} {measure}", **kinds["tfce_fwe"], smallest_p_tfce=round(float(arrays["p_tfce_fwe"].min()), 4),
-                smallest_q=round(float(arrays["q_fdr"].min()), 4), median_se_mm=round(float(np.median(arrays["robust_se"][weight > 0.5])), 3),
-                put_in_patch_mm=round(-depth_mm * float(weight[weight > 0.5].mean()), 3), largest_t_from_middle_mm=round(float(distance), 1))
+            say(f"asymmetry {name} {measure}", **found_in_patch(result, measure, ASYMMETRY_PATCH_MM, "right-left")["tfce_fwe"],
+                smallest_p_tfce=round(float(arrays["p_tfce_fwe"].min()), 4), median_se=round(float(np.median(arrays["robust_se"][weight > 0.5])), 3),
+                largest_t_from_middle_mm=round(float(distance), 1))
 
 
 def begun(folder):

@@ -3,7 +3,8 @@
 #   demo           build, start the service, match a pair over HTTP, show the result; SOURCE=a.nii.gz TARGET=b.nii.gz: your own
 #                  pair; KEEP=1: leave the service running
 #   test           the tests, but for the campaigns below; lists what it skipped and why
-#   check          words, packages, formatting, lints, documentation, unused dependencies, licenses and sources
+#   check          words, packages, formatting, lints, documentation
+#   audit          unused dependencies, licenses and sources, and the matching library without the published methods
 #   api            regenerate api/ and docs/parameters.md
 #   client         target/wheels: the Python package with this machine's program in it
 #   dashboard      build the page of the dashboard, dashboard/dist, with node
@@ -50,7 +51,7 @@
 SHELL := /usr/bin/env bash
 .SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help build demo test check api client dashboard
+.PHONY: help build demo test check audit api client dashboard
 .PHONY: long faults contract readers answers peers-read fuzz soak memory
 .PHONY: properties msrv public-api advisories sbom screenshots pictures
 .PHONY: accuracy experiment methods energies thresholds study study-others study-taxa validate-study study-env bench bench-service
@@ -116,13 +117,16 @@ memory: build
 	scripts/memory target/release/homolog --seconds $(if $(filter file,$(origin SECONDS)),60,$(SECONDS)) --record target/memory.md
 
 check:
-	@scripts/setup check
+	@scripts/setup build
 	scripts/words
 	scripts/packages
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
-	$(CARGO) clippy --locked -p homolog-matching -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
+
+audit:
+	@scripts/setup audit
+	$(CARGO) clippy --locked -p homolog-matching -- -D warnings
 	target/tools/bin/cargo-machete
 	target/tools/bin/cargo-deny --locked check bans licenses sources
 
@@ -143,7 +147,7 @@ sbom:
 	scripts/sbom > target/homolog.cdx.json
 
 advisories:
-	@scripts/setup check
+	@scripts/setup audit
 	target/tools/bin/cargo-deny --locked check advisories
 
 contract:

@@ -186,7 +186,7 @@ pub(crate) async fn claims(scale: Scale) {
 async fn fill(place: &Place, store: &SqlStore, number: u64) {
     use homolog::jobs::{BatchId, NewBatch};
     let tenant = tenant_of(number * 100);
-    let id = BatchId::random();
+    let id = BatchId::new();
     let batch = NewBatch { id, tenant: tenant.clone(), tags: Tags::default(), external_ref: None };
     let jobs: Vec<_> = (0..100).map(|_| NewJob { batch_id: Some(id), ..new_job(&tenant, 0, place.name()) }).collect();
     store.insert_batch(&batch, &jobs, &admission()).await.unwrap();

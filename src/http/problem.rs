@@ -2,7 +2,7 @@
 
 use super::problem_table::ProblemKind;
 use super::request_id::request_id;
-use crate::jobs::{Failure, JobError, StudyState, SubmitError};
+use crate::jobs::{Failure, JobError, PresentError, StudyState, SubmitError};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
@@ -178,11 +178,11 @@ impl From<JobError> for Problem {
         };
         match error {
             JobError::NotFound => Problem::new(ProblemKind::JobNotFound),
-            JobError::NoInverse => Problem::new(ProblemKind::RouteNotFound)
+            JobError::NotPresented(PresentError::NoInverse) => Problem::new(ProblemKind::RouteNotFound)
                 .detail("the job has no inverse correspondences; submit it with both_directions set to true"),
-            JobError::NotDicom => Problem::new(ProblemKind::NotAcceptable)
+            JobError::NotPresented(PresentError::NotDicom) => Problem::new(ProblemKind::NotAcceptable)
                 .detail("neither input of the job is a DICOM object, so there is no study; name one with study_uid, or ask for another format"),
-            JobError::NoSegmentation => Problem::new(ProblemKind::NotAcceptable).detail(
+            JobError::NotPresented(PresentError::NoSegmentation) => Problem::new(ProblemKind::NotAcceptable).detail(
                 "the surface is open, or would take more than a billion voxels on the grid of the input, so it has no \
                  segmentation; ask for a surface, such as ply",
             ),
@@ -221,7 +221,9 @@ impl From<JobError> for Problem {
                 Problem::new(ProblemKind::StorageFull)
             }
             JobError::Unavailable(_) => Problem::unavailable(&error),
-            JobError::LeaseLost | JobError::Corrupt { .. } => Problem::internal(&error),
+            JobError::NotPresented(PresentError::NotOffered { .. } | PresentError::Unreadable { .. })
+            | JobError::LeaseLost
+            | JobError::Corrupt { .. } => Problem::internal(&error),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Errors of the use cases and of the stores.
 
+use super::result_part::PresentError;
 use super::state::JobState;
 use super::study_state::StudyState;
 
@@ -47,15 +48,9 @@ pub enum JobError {
         /// Its state.
         state: JobState,
     },
-    /// The job did not compute the map from the target to the source.
-    #[error("the inverse correspondences were not computed")]
-    NoInverse,
-    /// There is no study for a DICOM object.
-    #[error("neither input is a DICOM object, and no study was given")]
-    NotDicom,
-    /// The bent surface is open or too large for a grid, so that it has no segmentation.
-    #[error("the bent surface has no segmentation")]
-    NoSegmentation,
+    /// A part of the result is not available in a format.
+    #[error(transparent)]
+    NotPresented(#[from] PresentError),
     /// No such upload of this tenant.
     #[error("no such mesh")]
     MeshNotFound,

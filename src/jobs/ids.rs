@@ -2,14 +2,14 @@
 
 /// An identity: a UUIDv7.
 macro_rules! identity {
-    ($(#[$doc:meta])* $name:ident, $new:ident) => {
+    ($(#[$doc:meta])* $name:ident) => {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub struct $name(uuid::Uuid);
 
         impl $name {
             /// A new id.
-            pub fn $new() -> Self {
+            pub fn new() -> Self {
                 $name(uuid::Uuid::now_v7())
             }
 
@@ -19,6 +19,12 @@ macro_rules! identity {
                     return None;
                 }
                 uuid::Uuid::try_parse(text).ok().map($name)
+            }
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                $name::new()
             }
         }
 
@@ -32,29 +38,23 @@ macro_rules! identity {
 
 identity! {
     /// Identity of a job: a UUIDv7, so that ids sort by creation time.
-    JobId, new
+    JobId
 }
 
 identity! {
     /// Identity of a batch: a UUIDv7.
-    BatchId, random
+    BatchId
 }
 
 identity! {
     /// Identity of a study: a UUIDv7.
-    StudyId, random
+    StudyId
 }
 
 impl JobId {
     /// The id itself.
     pub(crate) fn uuid(self) -> uuid::Uuid {
         self.0
-    }
-}
-
-impl Default for JobId {
-    fn default() -> Self {
-        JobId::new()
     }
 }
 

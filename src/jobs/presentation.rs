@@ -7,7 +7,7 @@ use super::engine::Engine;
 use super::error::JobError;
 use super::ids::JobId;
 use super::job::Tenant;
-use super::result_part::{PartFormat, PresentError, ResultPart};
+use super::result_part::{PartFormat, ResultPart};
 use super::service::JobService;
 use super::trace::NumberedPoint;
 use super::uid::{DicomDetails, GivenUids};
@@ -123,14 +123,8 @@ impl JobService {
             let stored: Vec<&[u8]> = blobs.iter().map(AsRef::as_ref).collect();
             engine.present(part, format, &stored)
         });
-        match made.await {
-            Ok(Ok(bytes)) => Ok(Presented::Converted(bytes.into())),
-            Ok(Err(PresentError::NoInverse)) => Err(JobError::NoInverse),
-            Ok(Err(PresentError::NotDicom)) => Err(JobError::NotDicom),
-            Ok(Err(PresentError::NoSegmentation)) => Err(JobError::NoSegmentation),
-            Ok(Err(error)) => Err(JobError::corrupt("a stored part of a result", error)),
-            Err(error) => Err(JobError::corrupt("a stored part of a result", error)),
-        }
+        let made = made.await.map_err(|error| JobError::corrupt("a stored part of a result", error))?;
+        Ok(Presented::Converted(made?.into()))
     }
 
     /// The energy trace of a finished job, up to [`MOST_TRACE_POINTS`].

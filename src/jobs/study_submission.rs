@@ -177,7 +177,7 @@ impl JobService {
         }
         self.engine.check_study_size(&definition).map_err(SubmitError::Pair)?;
         written.push(Written::of_definition(&tenant, &definition)?);
-        let id = StudyId::random();
+        let id = StudyId::new();
         let study = NewStudy {
             id,
             tenant: tenant.clone(),

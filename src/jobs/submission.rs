@@ -383,7 +383,7 @@ impl JobService {
                 break;
             }
         }
-        let id = BatchId::random();
+        let id = BatchId::new();
         let mut jobs = Vec::new();
         for (number, pair) in pairs.iter().enumerate() {
             let (Some(Ok(source)), Some(Ok(target))) = (checked.get(&pair.source), checked.get(&pair.target)) else {

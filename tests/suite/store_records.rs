@@ -170,7 +170,7 @@ async fn lists_are_filtered_in_every_way(f: Fixture) {
 }
 
 async fn a_batch_is_created_as_a_whole_or_not_at_all(f: Fixture) {
-    let id = BatchId::random();
+    let id = BatchId::new();
     let batch = NewBatch { id, tenant: f.tenant.clone(), tags: Tags::default(), external_ref: None };
     let jobs: Vec<_> = (0..3).map(|_| NewJob { batch_id: Some(id), ..new_job(0) }).collect();
     assert!(matches!(f.store.insert_batch(&batch, &jobs, &room(2)).await, Err(JobError::QueueFull { .. })));

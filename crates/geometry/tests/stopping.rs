@@ -12,7 +12,7 @@ use homolog_primitives::observe::{Cancelled, Observer, Silent};
 use nalgebra::Vector3;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Asks to stop after some checks, and counts them.
+/// Asks to stop after some checks, and counts checks and steps.
 struct StopAfter {
     checks: usize,
     asked: AtomicUsize,
@@ -26,11 +26,10 @@ impl StopAfter {
 }
 
 impl Observer for StopAfter {
-    fn is_cancelled(&self) -> bool {
+    fn step(&self) {
         self.counted.fetch_add(1, Ordering::Relaxed);
-        self.is_stopped()
     }
-    fn is_stopped(&self) -> bool {
+    fn is_cancelled(&self) -> bool {
         self.asked.fetch_add(1, Ordering::Relaxed) >= self.checks
     }
 }

@@ -151,7 +151,7 @@ impl TracePoint {
 }
 
 /// Receives the progress of a computation and may cancel it. All methods are called often and should return quickly;
-/// [`Observer::is_cancelled`] from any thread, the others from one thread at a time.
+/// [`Observer::step`] and [`Observer::is_cancelled`] from any thread, the others from one thread at a time.
 pub trait Observer: Sync {
     /// The observer that receives every report this one does not handle; none by default.
     fn inner(&self) -> Option<&dyn Observer> {
@@ -169,6 +169,12 @@ pub trait Observer: Sync {
             inner.progress(fraction);
         }
     }
+    /// A step of the computation begins.
+    fn step(&self) {
+        if let Some(inner) = self.inner() {
+            inner.step();
+        }
+    }
     /// A point of the energy trace.
     fn trace(&self, point: &TracePoint) {
         if let Some(inner) = self.inner() {
@@ -178,14 +184,6 @@ pub trait Observer: Sync {
     /// Whether the computation should end now, without a result.
     fn is_cancelled(&self) -> bool {
         self.inner().is_some_and(|inner| inner.is_cancelled())
-    }
-    /// Like [`Observer::is_cancelled`], but called within a step and from any thread. Observers that count steps by the
-    /// calls of [`Observer::is_cancelled`] do not count this call.
-    fn is_stopped(&self) -> bool {
-        match self.inner() {
-            Some(inner) => inner.is_stopped(),
-            None => self.is_cancelled(),
-        }
     }
 }
 
@@ -200,20 +198,20 @@ impl Observer for Silent {}
 #[error("the computation was cancelled")]
 pub struct Cancelled;
 
-/// `Err(Cancelled)` once `observer` asks to stop. Call it between the steps of a computation: observers count these
-/// calls as progress.
+/// Begins a step of a computation; `Err(Cancelled)` once `observer` asks to stop.
 ///
 /// # Errors
 /// [`Cancelled`].
 pub fn checkpoint(observer: &dyn Observer) -> Result<(), Cancelled> {
-    if observer.is_cancelled() { Err(Cancelled) } else { Ok(()) }
+    observer.step();
+    checkpoint_within(observer)
 }
 
 /// `Err(Cancelled)` once `observer` asks to stop. Call it within a step, between pieces of work of some milliseconds,
-/// from any thread: the call does not count as a step.
+/// from any thread.
 ///
 /// # Errors
 /// [`Cancelled`].
 pub fn checkpoint_within(observer: &dyn Observer) -> Result<(), Cancelled> {
-    if observer.is_stopped() { Err(Cancelled) } else { Ok(()) }
+    if observer.is_cancelled() { Err(Cancelled) } else { Ok(()) }
 }

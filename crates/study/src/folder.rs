@@ -1,12 +1,12 @@
 //! The folder of a study: records of matches, the kept template, decisions, and files that are written as a whole.
 //!
-//! It is on disk or in memory ([`crate::place`]).
+//! It is on disk or in memory ([`crate::storage`]).
 
 use crate::align::Shapes;
 use crate::error::StudyError;
-use crate::place::{Inputs, Storage};
 use crate::plan::{Records, Round, Template, TemplateHistory, hash};
 use crate::record::{Record, read_points};
+use crate::storage::{Inputs, Storage};
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::ReadLimits;
 use homolog_formats::csv_cell::{text_cell, text_of_cell};

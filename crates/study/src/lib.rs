@@ -16,7 +16,6 @@ mod mirror;
 pub mod model;
 pub mod normative;
 pub mod output;
-pub mod place;
 pub mod plan;
 pub mod price;
 pub mod quality;
@@ -26,6 +25,7 @@ pub mod score;
 pub mod settings;
 pub mod sides;
 pub mod statistics;
+pub mod storage;
 pub mod subjects;
 
 pub use error::StudyError;

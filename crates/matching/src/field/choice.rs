@@ -54,7 +54,7 @@ pub(crate) fn choose_pose(
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
     let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
-    let n = displacement.options.n_samples[0];
+    let n = displacement.options.coarse.n_samples;
     let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
     let values = displacement.guides.below(displacement.functions.values(&source.points));
     // One task per pose: a single step is too short to share between cores.
@@ -62,7 +62,7 @@ pub(crate) fn choose_pose(
         .par_iter()
         .map(|&pose| {
             checkpoint(displacement.observer)?;
-            let schedule = displacement.schedule(0, displacement.options.steps[0]);
+            let schedule = displacement.schedule(&displacement.options.coarse);
             Ok(coarse_from(displacement, &InitialMap::rigid(poses[pose].pose), &source, &target, &values, schedule))
         })
         .collect::<Result<_, MatchError>>()?;

@@ -7,13 +7,14 @@ use crate::pair::assignment::{comparison_kernel, displaced, kernel, observed_mea
 use crate::surface::smooth::{N_FEATURES, Subsample};
 use faer::Mat;
 use homolog_registration::RigidTransform;
-use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, annealed, assign, misfit};
+use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, assign, misfit};
 use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
 
 /// The field after the coarse stage from a single pose that an earlier fit has found.
 pub(crate) fn coarse_alone(displacement: &FitContext<'_>, pose: &RigidTransform) -> Option<State> {
-    let n = displacement.options.n_samples[0];
+    let settings = &displacement.options.coarse;
+    let n = settings.n_samples;
     let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
     let values = displacement.guides.below(displacement.functions.values(&source.points));
     let found = coarse_from(
@@ -22,7 +23,7 @@ pub(crate) fn coarse_alone(displacement: &FitContext<'_>, pose: &RigidTransform)
         &source,
         &target,
         &values,
-        displacement.schedule(0, displacement.options.choice.steps_from_known_pose),
+        displacement.schedule(&settings.in_steps(displacement.options.choice.steps_from_known_pose)),
     );
     found.map(|(_, state)| state)
 }
@@ -63,14 +64,14 @@ pub(crate) fn coarse_from(
         whole = Some((values, moved));
     }
     let mut moved = base.clone();
-    let [sigma, last_sigma, ..] = displacement.options.sigma;
+    let settings = &displacement.options.coarse;
     let mut precision = precision_of_features(&[1.0; N_FEATURES]);
     let mut field = None;
     while let Some(at) = schedule.next() {
-        let sigma = annealed(sigma, last_sigma, at);
+        let sigma = settings.sigma_at(at);
         let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
         let found = assign(&samples, target, &kernel(sigma * displacement.diagonal_mm, precision));
-        let weight = displacement.density(0, 1, at) / (sigma * displacement.diagonal_mm).powi(2);
+        let weight = displacement.density(settings, at) / (sigma * displacement.diagonal_mm).powi(2);
         let observed = [observed_means(&found, &base, &source.counted, weight), guided.clone()].concat();
         let fitted = fit_field(values.as_ref(), &observed)?;
         let after = displaced(&base, &fitted, values);
@@ -85,7 +86,7 @@ pub(crate) fn coarse_from(
     // All poses are compared with the same precisions: a wrong pose would otherwise lower its misfit by lowering the
     // precision of features.
     let samples = OrientedPoints { points: &moved, normals: &normals, ..source.samples() };
-    let misfit = misfit(&samples, target, &comparison_kernel(last_sigma * displacement.diagonal_mm))
+    let misfit = misfit(&samples, target, &comparison_kernel(settings.sigma[1] * displacement.diagonal_mm))
         + field.as_ref().map_or(0.0, |field| displacement.guides.misfit(base_of, field));
     field.map(|field| (misfit, State { base: base_of.clone(), field, feature_precision: precision }))
 }

@@ -2,13 +2,12 @@
 
 use super::functions::Functions;
 use super::guides::LandmarkObservations;
-use super::options::DisplacementOptions;
+use super::options::{DisplacementOptions, StageSettings};
 use super::schedule::Schedule;
 use super::trace::FitTrace;
 use crate::pair::lengths::Lengths;
 use crate::poses::rigid_part::Alignment;
 use crate::surface::smooth::SmoothSurface;
-use homolog_registration::alignment::annealed;
 use homolog_registration::{RigidTransform, SamePose};
 use std::sync::Arc;
 
@@ -27,14 +26,14 @@ pub(crate) struct FitContext<'a> {
 }
 
 impl FitContext<'_> {
-    /// Independent observations per unit of area, at `progress` between two stages.
-    pub(crate) fn density(&self, from: usize, to: usize, progress: f64) -> f64 {
-        annealed(self.options.density[from], self.options.density[to], progress) / self.lengths.root_mm.powi(2)
+    /// Independent observations per unit of area, at `progress` through `stage`.
+    pub(crate) fn density(&self, stage: &StageSettings, progress: f64) -> f64 {
+        stage.observations_at(progress) / self.lengths.root_mm.powi(2)
     }
 
-    /// The schedule of `stage` in `steps` steps.
-    pub(crate) fn schedule(&self, stage: usize, steps: u32) -> Schedule {
-        Schedule::of_stage(stage, steps, self.lengths.root_mm)
+    /// The schedule of `stage`.
+    pub(crate) fn schedule(&self, stage: &StageSettings) -> Schedule {
+        Schedule::new(stage.steps, stage.repetitions, self.lengths.root_mm)
     }
 
     /// Both surfaces for a rigid alignment; `edge_mm` is the mean edge length of the target.

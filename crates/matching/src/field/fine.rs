@@ -3,105 +3,105 @@
 use super::base::State;
 use super::displacement::FitContext;
 use super::fitted::FineStageFit;
+use super::options::StageSettings;
 use super::trace::TracedFit;
 use super::track::{Assigned, BaseEvaluation, assigned};
 use crate::error::MatchError;
 use crate::pair::assignment::{displaced, kernel, observed_means, precision_of_features};
 use crate::surface::robust::{STD_OF_MAD, median};
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::alignment::annealed;
 use homolog_registration::deformation::{Observation, fit_field};
 use nalgebra::Point3;
 use rayon::prelude::*;
 
 /// The field after the middle and fine stages.
 pub(crate) fn fine(displacement: &FitContext<'_>, start: State) -> Result<Option<FineStageFit>, MatchError> {
+    let options = displacement.options;
     fine_in(
         displacement,
         start,
-        [displacement.options.steps[1], displacement.options.steps[2]],
-        displacement.options.fine.across_share,
+        [&options.middle, &options.fine],
+        options.sliding.across_share,
         Some(displacement.observer.begin()),
     )
 }
 
 /// [`fine`], not recorded in the energy trace: for auxiliary fits.
 pub(crate) fn fine_aside(displacement: &FitContext<'_>, start: State) -> Result<Option<FineStageFit>, MatchError> {
-    fine_in(
-        displacement,
-        start,
-        [displacement.options.steps[1], displacement.options.steps[2]],
-        displacement.options.fine.across_share,
-        None,
-    )
+    let options = displacement.options;
+    fine_in(displacement, start, [&options.middle, &options.fine], options.sliding.across_share, None)
 }
 
-/// [`fine`] with the number of steps of each stage, and the share of the assignment's weight that is kept across the
-/// normals.
+/// [`fine`] with the settings of both stages, and the share of the assignment's weight that is kept across the normals.
 pub(crate) fn fine_in(
     displacement: &FitContext<'_>,
     start: State,
-    steps: [u32; 2],
+    [middle, fine]: [&StageSettings; 2],
     across_share: f64,
     fit: Option<TracedFit>,
 ) -> Result<Option<FineStageFit>, MatchError> {
     let State { base, field, feature_precision } = start;
     let track = BaseEvaluation::new(displacement, base);
-    let mut fine = FineStageFit { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
-    for (stage, steps) in [1, 2].into_iter().zip(steps) {
-        if !run_stage(displacement, &mut fine, stage, steps, 1.0)? {
-            return Ok(None);
-        }
-    }
-    Ok(Some(fine))
+    let mut fitted = FineStageFit { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
+    let stays_finite = run_stage(displacement, &mut fitted, middle, Observed::Means)?
+        && run_stage(displacement, &mut fitted, fine, Observed::AlongNormals { weight: 1.0 })?;
+    Ok(stays_finite.then_some(fitted))
 }
 
-/// Runs the steps of a stage, with observations weighted by `weight`. Returns whether all numbers stayed finite.
+/// What a stage observes of the displacement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Observed {
+    /// The assigned means, on the thinned target.
+    Means,
+    /// Distances along the normals of the whole target, and with a low weight the assigned means across them.
+    AlongNormals {
+        /// Weight of all observations.
+        weight: f64,
+    },
+}
+
+/// Runs the steps of a stage. Returns whether all numbers stayed finite.
 pub(crate) fn run_stage(
     displacement: &FitContext<'_>,
     fine: &mut FineStageFit,
-    stage: usize,
-    steps: u32,
-    weight: f64,
+    stage: &StageSettings,
+    kind: Observed,
 ) -> Result<bool, MatchError> {
     let FineStageFit { track, field, feature_precision, residual_mm, across_share, fit } = fine;
-    let thinned = displacement.source.thinned(displacement.options.n_samples[stage]);
-    let target = if stage == 1 {
-        displacement.target.thinned(displacement.options.n_samples[stage]).assignment_target()
-    } else {
-        displacement.target.assignment_target()
+    let thinned = displacement.source.thinned(stage.n_samples);
+    let target = match kind {
+        Observed::Means => displacement.target.thinned(stage.n_samples).assignment_target(),
+        Observed::AlongNormals { .. } => displacement.target.assignment_target(),
     };
     let values = displacement.guides.below(track.values(&thinned));
     let starts = track.starts(&thinned);
     let mirrored = track.base.pose.is_reflection();
-    // Settling keeps the scale at which the fine stage ended.
-    let (from, to) = (stage.min(3), (stage + 1).min(3));
-    let mut schedule = displacement.schedule(stage, steps);
+    let mut schedule = displacement.schedule(stage);
     while let Some(at) = schedule.next() {
         checkpoint(displacement.observer)?;
-        let sigma_mm =
-            displacement.diagonal_mm * annealed(displacement.options.sigma[from], displacement.options.sigma[to], at);
-        let density = weight * displacement.density(from, to, at);
+        let sigma_mm = displacement.diagonal_mm * stage.sigma_at(at);
         let kernel = kernel(sigma_mm, feature_precision.clone());
         let Some(assigned) = assigned(displacement, &track.moved(field), mirrored, &thinned, &target, &kernel) else {
             return Ok(false);
         };
-        let across = density / (sigma_mm * sigma_mm);
-        let observed = if stage == 1 {
-            observed_means(&assigned.found, &starts, &thinned.counted, across)
-        } else {
-            let along = density / along_mm(displacement).powi(2);
-            let (observed, residual) =
-                sliding(displacement, &assigned, &thinned.counted, &starts, along, *across_share * across);
-            if stage == 2 {
-                *residual_mm = residual;
+        let density = displacement.density(stage, at);
+        let observed = match kind {
+            Observed::Means => {
+                let across = density / (sigma_mm * sigma_mm);
+                observed_means(&assigned.found, &starts, &thinned.counted, across)
             }
-            observed
+            Observed::AlongNormals { weight } => {
+                let density = weight * density;
+                let (across, along) = (density / (sigma_mm * sigma_mm), density / along_mm(displacement).powi(2));
+                let (observed, residual) =
+                    sliding(displacement, &assigned, &thinned.counted, &starts, along, *across_share * across);
+                *residual_mm = residual;
+                observed
+            }
         };
         let Some(fitted) = fit_field(values.as_ref(), &track.with_guides(observed)) else { return Ok(false) };
         if let Some(fit) = fit {
-            let observations = annealed(displacement.options.density[from], displacement.options.density[to], at);
-            displacement.observer.trace(fit, assigned.found.misfit, field, observations);
+            displacement.observer.trace(fit, assigned.found.misfit, field, stage.observations_at(at));
         }
         schedule.note(&assigned.points, &displaced(&starts, &fitted, &values));
         *field = fitted;
@@ -111,7 +111,7 @@ pub(crate) fn run_stage(
 }
 
 fn along_mm(displacement: &FitContext<'_>) -> f64 {
-    displacement.options.fine.along * displacement.lengths.sampling_mm
+    displacement.options.sliding.along * displacement.lengths.sampling_mm
 }
 
 /// Observations along the normals of the closest point of the surface, and with a low weight across the normals of the

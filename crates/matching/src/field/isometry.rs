@@ -144,7 +144,7 @@ impl<'a> OverForm<'a> {
         });
         let functions = Functions::new(mesh.vertices(), prior, settings.n_inducing, Some(unbending))?;
         let displacement = displacement.with_functions(functions);
-        let n = displacement.options.n_samples[0];
+        let n = displacement.options.coarse.n_samples;
         let (thinned, thinned_target) =
             (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
         let values = displacement.guides.below(displacement.functions.values(&thinned.points));
@@ -153,7 +153,7 @@ impl<'a> OverForm<'a> {
 
     /// The coarse stage over `base`.
     fn coarse(&self, base: &InitialMap) -> Option<(f64, State)> {
-        let schedule = self.displacement.schedule(0, self.displacement.options.steps[0]);
+        let schedule = self.displacement.schedule(&self.displacement.options.coarse);
         coarse_from(&self.displacement, base, &self.thinned, &self.thinned_target, &self.values, schedule)
     }
 

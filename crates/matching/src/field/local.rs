@@ -33,7 +33,7 @@ fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &Displacement
     let GaussianKernel { width_mm, amplitude_mm } = found.kernel;
     let clearness = (options.local.voxel_noise * sampling_mm / found.noise_mm.max(f64::MIN_POSITIVE)).powi(2);
     LocalKernel {
-        across_share: options.fine.across_share * clearness.clamp(1.0, 1.0 / options.fine.across_share),
+        across_share: options.sliding.across_share * clearness.clamp(1.0, 1.0 / options.sliding.across_share),
         kernel: GaussianKernel { width_mm, amplitude_mm: options.local.amplitude * amplitude_mm },
         noise_mm: found.noise_mm.hypot(options.local.offset_share * amplitude_mm),
     }
@@ -118,8 +118,9 @@ fn fit_from_pose(
 ) -> Result<Option<Local>, MatchError> {
     let Some(state) = coarse_alone(displacement, pose) else { return Ok(None) };
     let fit = Some(displacement.observer.begin());
-    let Some(fine) = fine_in(displacement, state, displacement.options.local.stage_steps, local.across_share, fit)?
-    else {
+    let options = displacement.options;
+    let [middle, fine] = [&options.middle, &options.fine].map(|stage| stage.in_steps(options.local.stage_steps));
+    let Some(fine) = fine_in(displacement, state, [&middle, &fine], local.across_share, fit)? else {
         return Ok(None);
     };
     let moved = fine.moved();
@@ -161,10 +162,10 @@ fn followed_locally(
     let starts = track.starts(&thinned);
     let mirrored = track.base.pose.is_reflection();
 
-    let sigma_mm = displacement.diagonal_mm * displacement.options.sigma[3];
+    let sigma_mm = displacement.diagonal_mm * displacement.options.settling.sigma[1];
     let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
     let along = settings.point_weight / (mean_area * local.noise_mm * local.noise_mm);
-    let across = displacement.density(3, 3, 1.0) / (sigma_mm * sigma_mm);
+    let across = displacement.density(&displacement.options.settling, 1.0) / (sigma_mm * sigma_mm);
     let mut fitted: Option<FittedField> = None;
     for _ in 0..settings.steps {
         checkpoint(displacement.observer)?;
@@ -194,7 +195,7 @@ mod tests {
     #[test]
     fn the_less_noise_the_more_counts_what_is_assigned_across_the_normals() {
         let options = DisplacementOptions::default();
-        let across_share = options.fine.across_share;
+        let across_share = options.sliding.across_share;
         let share = |noise_mm: f64| {
             let kernel = GaussianKernel { width_mm: 5.0, amplitude_mm: 1.0 };
             local_kernel(&KernelEvidence { kernel, noise_mm, gain: 10.0 }, 2.0, &options).across_share

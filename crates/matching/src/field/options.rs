@@ -1,8 +1,41 @@
 //! The settings that all stages of a displacement share.
 
-use super::settings::{ChoiceSettings, FineSettings, IsometryFitSettings, LocalSettings, RouteSettings};
+use super::settings::{ChoiceSettings, IsometryFitSettings, LocalSettings, RouteSettings, SlidingSettings};
 use crate::pair::prior::PriorOptions;
 use homolog_contract::parameters::Uncertainty;
+use homolog_registration::alignment::annealed;
+
+/// One stage of a displacement.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StageSettings {
+    /// Vertices of a thinned surface.
+    pub n_samples: usize,
+    /// Steps.
+    pub steps: u32,
+    /// Most repetitions of steps that still move the surface.
+    pub repetitions: u32,
+    /// Width `σ` of the assignment at the start and at the end, in diagonals.
+    pub sigma: [f64; 2],
+    /// Independent observations per surface at the start and at the end; more observations make the field less stiff.
+    pub observations: [f64; 2],
+}
+
+impl StageSettings {
+    /// The stage in another number of steps.
+    pub(crate) fn in_steps(&self, steps: u32) -> StageSettings {
+        StageSettings { steps, ..self.clone() }
+    }
+
+    /// Width of the assignment at `progress` through the stage, in diagonals.
+    pub(crate) fn sigma_at(&self, progress: f64) -> f64 {
+        annealed(self.sigma[0], self.sigma[1], progress)
+    }
+
+    /// Independent observations per surface at `progress` through the stage.
+    pub(crate) fn observations_at(&self, progress: f64) -> f64 {
+        annealed(self.observations[0], self.observations[1], progress)
+    }
+}
 
 /// Settings of the displacement. The defaults are round numbers; nearby values gave the same accuracy within its spread
 /// (docs/findings.md).
@@ -10,19 +43,18 @@ use homolog_contract::parameters::Uncertainty;
 pub(crate) struct DisplacementOptions {
     /// The prior of the field, in diagonals of the source.
     pub prior: PriorOptions,
-    /// Vertices of the thinned surfaces in each stage. From the fine stage on the target is not thinned.
-    pub n_samples: [usize; 4],
-    /// Steps of the four stages.
-    pub steps: [u32; 4],
-    /// Width `σ` of the assignment, in diagonals, at the start and after each of the first three stages.
-    pub sigma: [f64; 4],
-    /// Independent observations per surface at the start and after each of the first three stages; more observations
-    /// make the field less stiff.
-    pub density: [f64; 4],
+    /// The coarse stage: both surfaces thinned, assigned means as observations. One fit for each pose.
+    pub coarse: StageSettings,
+    /// The middle stage: the same from the chosen pose, at smaller scales.
+    pub middle: StageSettings,
+    /// The fine stage: the whole target, and distances along its normals as observations.
+    pub fine: StageSettings,
+    /// The settling: the same at the last scale, weighted by the residual of the fine stage.
+    pub settling: StageSettings,
     /// The choice of the pose.
     pub choice: ChoiceSettings,
-    /// The fine stage and the settling.
-    pub fine: FineSettings,
+    /// The observations of the fine stage and of the settling.
+    pub sliding: SlidingSettings,
     /// The local stage.
     pub local: LocalSettings,
     /// The fit from near isometries.
@@ -37,12 +69,36 @@ impl Default for DisplacementOptions {
     fn default() -> Self {
         DisplacementOptions {
             prior: PriorOptions::default(),
-            n_samples: [700, 1200, 1200, 1200],
-            steps: [10, 8, 8, 4],
-            sigma: [0.05, 0.04, 0.025, 0.02],
-            density: [48.0, 48.0, 160.0, 480.0],
+            coarse: StageSettings {
+                n_samples: 700,
+                steps: 10,
+                repetitions: 10,
+                sigma: [0.05, 0.04],
+                observations: [48.0, 48.0],
+            },
+            middle: StageSettings {
+                n_samples: 1200,
+                steps: 8,
+                repetitions: 20,
+                sigma: [0.04, 0.025],
+                observations: [48.0, 160.0],
+            },
+            fine: StageSettings {
+                n_samples: 1200,
+                steps: 8,
+                repetitions: 10,
+                sigma: [0.025, 0.02],
+                observations: [160.0, 480.0],
+            },
+            settling: StageSettings {
+                n_samples: 1200,
+                steps: 4,
+                repetitions: 0,
+                sigma: [0.02, 0.02],
+                observations: [480.0, 480.0],
+            },
             choice: ChoiceSettings::default(),
-            fine: FineSettings::default(),
+            sliding: SlidingSettings::default(),
             local: LocalSettings::default(),
             isometry: IsometryFitSettings::default(),
             route: RouteSettings::default(),

@@ -70,7 +70,7 @@ pub(super) fn relax(
     };
     let Some(functions) = displacement.functions.with_prior(vertices, prior, N_INDUCING) else { return Ok(()) };
     let joint = displacement.with_functions(functions);
-    let thinned = joint.source.thinned(joint.options.n_samples[2]);
+    let thinned = joint.source.thinned(joint.options.fine.n_samples);
     let values = joint.guides.below(joint.functions.values(&thinned.points));
     let guided: Vec<Information> =
         joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();

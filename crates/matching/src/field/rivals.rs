@@ -193,13 +193,13 @@ impl ComparedFit {
 
 /// Unexplained residual of the field of the coarse stage, at the scale at which that stage ends.
 fn unexplained_coarsely(displacement: &FitContext<'_>, candidate: &Candidate) -> Option<Unexplained> {
-    let n = displacement.options.n_samples[0];
+    let n = displacement.options.coarse.n_samples;
     let (thinned, target) = (displacement.source.thinned(n), displacement.target.thinned(n));
     let values = displacement.functions.values(&thinned.points);
     let State { base, field, .. } = &candidate.state;
     let moved = displaced(&base.moved(&thinned.points, &values), field, &values);
     let normals: Vec<Vector3<f64>> = thinned.normals.iter().map(|n| candidate.pose.rotation * n).collect();
-    let kernel = comparison_kernel(displacement.options.sigma[1] * displacement.diagonal_mm);
+    let kernel = comparison_kernel(displacement.options.coarse.sigma[1] * displacement.diagonal_mm);
     let samples = OrientedPoints { points: &moved, normals: &normals, ..thinned.samples() };
     let found = point_misfits(&samples, &target.assignment_target(), &kernel);
     let mut patches = patch_means(&thinned.points, &thinned.areas, &found.of_source);

@@ -77,7 +77,7 @@ fn is_flat(displacement: &FitContext<'_>, starts: &[RigidTransform]) -> bool {
 /// surface is that of the coarse stage.
 fn spread(fits: &[(f64, Vec<Point3<f64>>)], options: &DisplacementOptions) -> Option<Vec<f64>> {
     let least = fits.iter().map(|fit| fit.0).fold(f64::INFINITY, f64::min);
-    let weights: Vec<f64> = fits.iter().map(|fit| (-options.density[0] * (fit.0 - least)).exp()).collect();
+    let weights: Vec<f64> = fits.iter().map(|fit| (-options.coarse.observations[0] * (fit.0 - least)).exp()).collect();
     let total: f64 = weights.iter().sum();
     let first = &fits.first()?.1;
     let at = |i: usize| {

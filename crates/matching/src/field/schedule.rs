@@ -8,8 +8,6 @@ use nalgebra::Point3;
 
 /// Root mean square movement in a step above which it is repeated, in roots of the area.
 pub(super) const SETTLED: f64 = 0.006;
-/// Most repetitions in each stage.
-const REPETITIONS: [u32; 4] = [10, 20, 10, 0];
 
 /// The steps of one stage.
 pub(crate) struct Schedule {
@@ -26,11 +24,6 @@ impl Schedule {
     /// `steps` over the scales of a stage, with at most this many `repetitions`; `root_mm` is the root of the area, mm.
     pub(crate) fn new(steps: u32, repetitions: u32, root_mm: f64) -> Schedule {
         Schedule { step: 0, steps, spare: repetitions, settled_mm: SETTLED * root_mm, is_settled: true }
-    }
-
-    /// The schedule of `stage`, counted from 0.
-    pub(crate) fn of_stage(stage: usize, steps: u32, root_mm: f64) -> Schedule {
-        Schedule::new(steps, REPETITIONS[stage], root_mm)
     }
 
     /// The progress of the stage, from 0 to 1, at which the next step is made; `None` at the end.

@@ -31,9 +31,9 @@ impl Default for ChoiceSettings {
     }
 }
 
-/// The fine stage and the settling after it.
+/// Observations of the fine stage and of the settling, which slide along the target.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct FineSettings {
+pub(crate) struct SlidingSettings {
     /// Standard deviation of a point along the normal of the other surface, in sampling distances.
     pub along: f64,
     /// Share of the assignment's weight that is kept across the normal.
@@ -45,9 +45,9 @@ pub(crate) struct FineSettings {
     pub noise_power: f64,
 }
 
-impl Default for FineSettings {
+impl Default for SlidingSettings {
     fn default() -> Self {
-        FineSettings { along: 0.34, across_share: 0.1, noise: 0.136, noise_power: 6.0 }
+        SlidingSettings { along: 0.34, across_share: 0.1, noise: 0.136, noise_power: 6.0 }
     }
 }
 
@@ -77,8 +77,8 @@ pub(crate) struct LocalSettings {
     pub voxel_noise: f64,
     /// Inducing points of the field with both kernels.
     pub n_inducing: usize,
-    /// Steps of the middle and fine stages of that field, which begin at a known pose.
-    pub stage_steps: [u32; 2],
+    /// Steps of the middle and of the fine stage of that field, which begin at a known pose.
+    pub stage_steps: u32,
     /// Points of the last fit.
     pub samples: usize,
     /// Steps of the last fit.
@@ -99,7 +99,7 @@ impl Default for LocalSettings {
             least_amplitude: 1.2,
             voxel_noise: 0.1,
             n_inducing: 200,
-            stage_steps: [5, 5],
+            stage_steps: 5,
             samples: 2400,
             steps: 5,
             point_weight: 1.5,

@@ -128,7 +128,7 @@ fn by_field(
         }
         PoseResult::Registration(_) | PoseResult::ByField => (PROGRESS_BEFORE_ROUNDS, None),
     };
-    let counting = DisplacementProgress { observer, done_before, n_checks: Mutex::default(), last_round };
+    let counting = DisplacementProgress { observer, done_before, n_steps: Mutex::default(), last_round };
     let surfaces = Surfaces {
         source: source.middle.mesh(),
         target: target.middle.mesh(),

@@ -7,7 +7,7 @@
 
 use super::images::find_images;
 use super::pose::find_pose;
-use super::unseen::CancellationOnly;
+use super::unseen::StepsOnly;
 use crate::answer::displaced::VertexImages;
 use crate::answer::reliability;
 use crate::error::MatchError;
@@ -62,7 +62,7 @@ pub(crate) fn with_rescaled_source(
     for landmark in &mut parameters.landmarks {
         landmark.source_mm = landmark.source_mm.map(|x| x * factor);
     }
-    let observer = CancellationOnly(observer);
+    let observer = StepsOnly(observer);
     let coarse = prepare_problem(&levels, target, &parameters, &observer)?;
     let posed = find_pose(&coarse)?;
     let of_equal_area = find_images(&coarse, &posed)?;

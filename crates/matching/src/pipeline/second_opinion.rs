@@ -8,7 +8,7 @@
 use super::images::find_images;
 use super::pose::find_pose;
 use super::resized::with_rescaled_source;
-use super::unseen::CancellationOnly;
+use super::unseen::StepsOnly;
 use crate::answer::displaced::{Images, VertexImages};
 use crate::error::MatchError;
 use crate::starts::search::sameness;
@@ -51,7 +51,7 @@ pub(crate) fn with_second_opinion(
     };
     let (from, onto) = rayon::join(|| levels(source), || levels(target));
     let (from, onto) = (from?, onto?);
-    let other = match by_default_method(&from, &onto, &parameters, &CancellationOnly(observer)) {
+    let other = match by_default_method(&from, &onto, &parameters, &StepsOnly(observer)) {
         Err(MatchError::NoRegistration { .. }) => return Ok(answer),
         other => other?,
     };

@@ -2,14 +2,14 @@
 
 use homolog_primitives::observe::Observer;
 
-/// Forwards only cancellation; phases, progress and trace are those of the outer match.
-pub(super) struct CancellationOnly<'a>(pub &'a dyn Observer);
+/// Forwards only steps and cancellation; phases, progress and trace are those of the outer match.
+pub(super) struct StepsOnly<'a>(pub &'a dyn Observer);
 
-impl Observer for CancellationOnly<'_> {
+impl Observer for StepsOnly<'_> {
+    fn step(&self) {
+        self.0.step();
+    }
     fn is_cancelled(&self) -> bool {
         self.0.is_cancelled()
-    }
-    fn is_stopped(&self) -> bool {
-        self.0.is_stopped()
     }
 }

@@ -268,7 +268,14 @@ fn renumbering_permutes_the_images_and_threads_change_nothing() {
     }
     let faces = source.mesh.indices().iter().map(|&k| new_of_old[k as usize]).collect();
     let renumbered = canonicalize(&SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap());
-    let options = DisplacementOptions { steps: [4, 2, 2, 2], ..DisplacementOptions::default() };
+    let whole = DisplacementOptions::default();
+    let options = DisplacementOptions {
+        coarse: whole.coarse.in_steps(4),
+        middle: whole.middle.in_steps(2),
+        fine: whole.fine.in_steps(2),
+        settling: whole.settling.in_steps(2),
+        ..whole
+    };
     let poses = principal_axis_poses(source.mesh.vertices(), target.mesh.vertices()).unwrap();
     let on = |threads: usize, mesh: &SurfaceMesh| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

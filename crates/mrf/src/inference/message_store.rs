@@ -91,7 +91,7 @@ impl MessageStore {
     /// Sets every message to `message`, unless `observer`, who is asked at each, wants it to stop.
     pub(super) fn fill(&mut self, message: &[f32], observer: &dyn Observer) {
         for edge in 0..self.n_edges {
-            if observer.is_stopped() {
+            if observer.is_cancelled() {
                 return;
             }
             let start = self.start(edge);

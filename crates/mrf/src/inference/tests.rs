@@ -194,13 +194,13 @@ fn messages_that_are_not_all_set_are_never_run() {
     use homolog_primitives::observe::Observer;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    /// Asks to stop after some checks; steps are not counted.
+    /// Asks to stop after some checks.
     struct StopAfter(usize, AtomicUsize);
     impl Observer for StopAfter {
-        fn is_cancelled(&self) -> bool {
+        fn step(&self) {
             panic!("the start of a run is no step")
         }
-        fn is_stopped(&self) -> bool {
+        fn is_cancelled(&self) -> bool {
             self.1.fetch_add(1, Ordering::Relaxed) >= self.0
         }
     }

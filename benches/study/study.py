@@ -2,7 +2,8 @@
 
 Usage: study.py --binary homolog --data DIR --out DIR [--parts hippocampi,joint,starts,atrophy,asymmetry,null,killed,time,memory] [--subjects N]
 DIR/hippocampus has label volumes (*.nii.gz). Everything is kept in --out, so that what is there is not computed again. Figures go
-to OUT/figures.json and to the standard output. Needs numpy, scipy, scikit-image and nibabel."""
+to OUT/figures.json and to the standard output, those of asymmetry also to OUT/asymmetry-supplement.md. Needs numpy, scipy, scikit-image, nibabel
+and matplotlib."""
 import argparse
 import csv
 import os
@@ -12,6 +13,7 @@ import subprocess
 
 import numpy as np
 
+import supplement
 from running import Bench, document, model_figures, stem, table
 from surfaces import deformation, found_in_patch, gifti, maps, patch, surface, thinned, write_ply
 
@@ -144,6 +146,7 @@ if "asymmetry" in parts:
             say(f"asymmetry {name} {measure}", **found_in_patch(result, measure, ASYMMETRY_PATCH_MM, "right-left")["tfce_fwe"],
                 smallest_p_tfce=round(float(arrays["p_tfce_fwe"].min()), 4), median_se=round(float(np.median(arrays["robust_se"][weight > 0.5])), 3),
                 largest_t_from_middle_mm=round(float(distance), 1))
+    supplement.main(out, out / "asymmetry-supplement")
 
 
 def begun(folder):

@@ -1,7 +1,7 @@
 //! The group: surfaces as files, their matches with one template in one folder, and studies over parts of them.
 
 use crate::planted::Plant;
-use homolog_contract::parameters::{MatchParameters, resolve};
+use homolog_contract::parameters::{MatchParameters, Method, resolve};
 use homolog_formats::ply::write_ply;
 use homolog_mesh::SurfaceMesh;
 use homolog_run::intake::{IntakeLimits, prepare_surface};
@@ -29,6 +29,8 @@ pub(crate) enum Maps {
     Oracle,
     /// Those of the deformed surfaces.
     Matched(Correspondence),
+    /// Those of the deformed surfaces by another method, onto the same template.
+    Other(Method),
 }
 
 impl Maps {
@@ -36,6 +38,7 @@ impl Maps {
         match self {
             Maps::Oracle => "oracle",
             Maps::Matched(how) => how.name(),
+            Maps::Other(method) => method.name(),
         }
     }
 }
@@ -166,7 +169,22 @@ impl Bench {
                 Ok(find(&study, &matched, &folder, &[], &Quiet)?)
             }
             Maps::Oracle => self.oracle(plant, &chosen, &files),
+            Maps::Other(method) => self.by_other_method(method, &files),
         }
+    }
+
+    /// What a study of these files finds with the maps of another method, in a folder of its own.
+    fn by_other_method(&self, method: Method, files: &[PathBuf]) -> Result<Findings, Box<dyn Error>> {
+        let parameters = resolve(&serde_json::json!({"method": method.name()}));
+        let settings = Settings {
+            template: TemplateChoice::Given { file: self.out.join("template/template.ply") },
+            parameters: parameters.map_err(|faults| format!("{faults:?}"))?,
+            ..self.settings(Correspondence::Pairs)
+        };
+        let folder = Folder::create(&self.out.join(method.name()))?;
+        let mut study = Study::open(self.cohort(files)?, settings, &[], &folder, &Quiet)?;
+        let matched = study.match_all(&folder, rayon::current_num_threads(), &Quiet)?;
+        Ok(find(&study, &matched, &folder, &[], &Quiet)?)
     }
 
     fn oracle(&self, plant: &Plant, chosen: &[usize], files: &[PathBuf]) -> Result<Findings, Box<dyn Error>> {

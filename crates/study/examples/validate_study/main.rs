@@ -14,6 +14,7 @@ mod planted;
 mod splits;
 
 use group::{Bench, Maps};
+use homolog_contract::parameters::Method;
 use homolog_study::findings::Findings;
 use homolog_study::settings::Correspondence;
 use planted::Plant;
@@ -28,14 +29,12 @@ struct Plan {
     plants: Vec<Plant>,
     permutations: usize,
     splits: u64,
-    /// Largest group whose joint maps are made for a deformation.
-    joint_up_to: usize,
 }
 
 impl Plan {
     fn short() -> Self {
         let plants = vec![Plant { radius_mm: 12.0, height_mm: -1.0, share: 0.5 }];
-        Plan { subjects: 20, sizes: vec![20], plants, permutations: 200, splits: 40, joint_up_to: 20 }
+        Plan { subjects: 20, sizes: vec![20], plants, permutations: 200, splits: 40 }
     }
 
     fn long() -> Self {
@@ -45,9 +44,18 @@ impl Plan {
                 plants.push(Plant { radius_mm, height_mm, share: 0.5 });
             }
         }
-        Plan { subjects: 130, sizes: vec![20, 60, 130], plants, permutations: 500, splits: 600, joint_up_to: 130 }
+        Plan { subjects: 130, sizes: vec![20, 60, 130], plants, permutations: 500, splits: 600 }
     }
 }
+
+/// The maps that are compared.
+const MAPS: [Maps; 5] = [
+    Maps::Oracle,
+    Maps::Matched(Correspondence::Pairs),
+    Maps::Matched(Correspondence::Joint),
+    Maps::Other(Method::SpharmPdm),
+    Maps::Other(Method::Icp),
+];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().collect();
@@ -66,10 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     for plant in &plan.plants {
         for &n in &plan.sizes {
-            for maps in [Maps::Oracle, Maps::Matched(Correspondence::Pairs), Maps::Matched(Correspondence::Joint)] {
-                if maps == Maps::Matched(Correspondence::Joint) && n > plan.joint_up_to {
-                    continue;
-                }
+            for maps in MAPS {
                 let line = row(plant, n, maps, &bench.found(plant, n, maps)?)?;
                 println!("{line}");
                 text.push_str(&line);
@@ -96,13 +101,14 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 const HEADER: &str = "\
-Effect: mean over the part of the patch that moves by more than half of the height. SE: median standard error (HC3) there. Beyond 2 SE: \
+Maps: the oracle, those of homolog pair by pair and joint, and those of SPHARM-PDM and of closest points, with the same template. \
+In the model: subjects whose match is not unreliable. Effect: mean over the part of the patch that moves by more than half of the height. SE: median standard error (HC3) there. Beyond 2 SE: \
 share of the area of that part where the effect has the sign of the deformation and exceeds two standard errors. Found: share of it with a \
 corrected p (TFCE, family-wise) up to 0.05. False: share of the significant area outside of the patch. \
 Distance: from the largest |t| to the middle of the patch on the mean.
 
-| radius, height, mm | n | maps | effect, mm | put there, mm | SE, mm | beyond 2 SE | found | false | distance, mm |
-|---|---|---|---|---|---|---|---|---|---|
+| radius, height, mm | n | in the model | maps | effect, mm | put there, mm | SE, mm | beyond 2 SE | found | false | distance, mm |
+|---|---|---|---|---|---|---|---|---|---|---|
 ";
 
 /// A line of the report.
@@ -127,9 +133,10 @@ fn row(plant: &Plant, n: usize, maps: Maps, found: &Findings) -> Result<String, 
     let largest = (0..t.len()).fold(0, |best, v| if t[v].abs() > t[best].abs() { v } else { best });
     let distance = (found.mean.vertices()[largest] - plant.middle(&found.mean)).norm();
     Ok(format!(
-        "| {:.0}, {:+.1} | {n} | {} | {:+.2} | {:+.2} | {:.2} | {:.2} | {:.2} | {:.3} | {distance:.1} |",
+        "| {:.0}, {:+.1} | {n} | {} | {} | {:+.2} | {:+.2} | {:.2} | {:.2} | {:.2} | {:.3} | {distance:.1} |",
         plant.radius_mm,
         plant.height_mm,
+        found.members.len(),
         maps.name(),
         mean(&linear.effect),
         mean(&expected),

@@ -5,6 +5,7 @@
 //! template, `t` threads.
 
 use crate::joint::{JointSettings, SURFACES_BYTES};
+use crate::model::{COMPLETE, many};
 use crate::settings::{Analysis, Measure};
 use homolog_contract::study::StudySize;
 
@@ -73,7 +74,9 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let aligned = times(&[ALIGNED.min(n), 60 * v]);
     // A block twice; the matrix of inner products, its parts and components, and on each thread those without some
     // subjects.
-    let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[8, n, n, 4 + 5 * t])]);
+    let complete = n.min(COMPLETE as u64);
+    let gram = sum(&[times(&[2, BLOCK, 24, n]), times(&[32, n, complete]), times(&[40, t, complete, complete])]);
+    let gram = if n > complete { gram.max(many_bytes(size, t)) } else { gram };
     let of_modes = times(&[modes, 24 * v]);
     let model = sum(&[aligned, gram, of_modes]);
     let joint = if size.joint { joint_bytes(size, t) } else { 0 };
@@ -85,7 +88,8 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let kept = times(&[maps, 96 * v]);
     let p = size.columns;
     let design = sum(&[times(&[n, p, 64]), times(&[t, p, p, 48])]);
-    let statistics = sum(&[values, test, kept, of_modes, design, times(&[8, n, n])]);
+    let scores = times(&[8, n, complete]);
+    let statistics = sum(&[values, test, kept, of_modes, design, scores]);
 
     let pictures = times(&[18, SHOWN_MODES * v + times(&[PICTURES, v]).min(PICTURE_VERTICES.max(v))]);
     let page = times(&[PAGE_COPIES, sum(&[times(&[maps, 3 * v]), pictures, 17 * f, times(&[n.min(200), 1024])])]);
@@ -101,6 +105,19 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     // Subjects are read before anything is written.
     let computing = of_threads + model.max(statistics).max(joint);
     sum(&[held, computing.max(writing).max(archive)])
+}
+
+/// Memory of the model of a large group on `t` threads, bytes.
+fn many_bytes(size: &StudySize, t: u64) -> u64 {
+    let StudySize { subjects: n, vertices: v, .. } = *size;
+    let times = |parts: &[u64]| parts.iter().copied().fold(1, u64::saturating_mul);
+    let r = many::COMPONENTS as u64;
+    // Shapes read and as columns; directions, their image, and their factors; scores as matrices and rows, and left out.
+    let columns = times(&[2, many::AT_A_TIME as u64, 24, v]);
+    let directions = times(&[6, 24, v, r]);
+    let scores = times(&[8, n, r, 5 + t]);
+    let inner = times(&[8, r, r, 6 + 6 * t]);
+    [columns, directions, scores, inner].into_iter().fold(0, u64::saturating_add)
 }
 
 /// Memory of joint maps on `t` threads besides the records, bytes.

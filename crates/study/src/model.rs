@@ -4,7 +4,8 @@
 //! matrix) of the centered shapes: its eigenvectors times the shapes are the modes. The matrix is summed over blocks of
 //! vertices, so that only one block of all subjects is in memory; modes are summed over subjects. Leaving a subject out
 //! removes a row and a column, so every leave-one-out validation needs the matrix alone. Singular values below about
-//! 1e-8 of the largest are lost, which is below the precision of any surface.
+//! 1e-8 of the largest are lost, which is below the precision of any surface. Of groups above 1,000 only the first
+//! components are computed ([`many`]).
 //!
 //! Sources: Cootes et al., *Active shape models*, 1995; Turk, Pentland 1991 (the small matrix); Davies 2002, Styner et al.
 //! 2003 (compactness, generalization, specificity); Tipping, Bishop 1999 (the distance outside the modes).
@@ -25,6 +26,8 @@ use statrs::distribution::{ContinuousCDF, Normal};
 const BLOCK: usize = 512;
 /// Rows of the Gram matrix per task.
 const ROWS: usize = 64;
+/// Largest group whose components are all computed; above it, [`many`] computes the first ones.
+pub(crate) const COMPLETE: usize = 1000;
 /// Number of subjects up to which each is left out alone; above it, a twentieth is left out at a time.
 const LEAVE_ONE_OUT: usize = 200;
 const FOLDS: usize = 20;
@@ -36,14 +39,22 @@ const MAX_MODES: usize = 60;
 /// Share of the variance of the modes whose scores a distance weighs individually.
 const DISTANCE_VARIANCE: f64 = 0.9;
 
+/// A group and who may stop its model.
+struct Watched<'a> {
+    shapes: &'a dyn Shapes,
+    alignment: &'a Alignment,
+    observer: &'a dyn Observer,
+}
+
 /// Principal components of a group of aligned shapes, in the metric of [`crate::align`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShapeModel {
-    /// Variance of each component, mm², descending; all `n − 1`.
+    /// Variance of each component, mm², descending; all `n − 1`. Above 1,000 subjects the first 256, and the mean of the
+    /// others in place of each.
     pub variances: Vec<f64>,
     /// The first modes: a displacement of each vertex, orthonormal in the metric, dimensionless.
     pub modes: Vec<Vec<Vector3<f64>>>,
-    /// Score of each subject on each component, mm, by subject.
+    /// Score of each subject on each computed component, mm, by subject.
     pub scores: Vec<Vec<f64>>,
     /// Quality of the model.
     pub quality: ModelQuality,
@@ -205,7 +216,8 @@ impl ShapeModel {
     ///
     /// # Cost
     /// `O(n² V)` for inner products, `n` (at most 200; above, 20) eigenvalue decompositions of an `n × n` matrix, and
-    /// one read of all shapes for the modes.
+    /// one read of all shapes for the modes. Above 1,000 subjects, `O(n V)` for each of 256 components and of at most 12
+    /// reads of all shapes.
     pub fn new(
         shapes: &dyn Shapes,
         alignment: &Alignment,
@@ -222,7 +234,8 @@ impl ShapeModel {
     /// As [`ShapeModel::new`].
     ///
     /// # Cost
-    /// That of [`ShapeModel::new`], and for each other shape `O(n V)`, and `O(n²)` for each decomposition.
+    /// That of [`ShapeModel::new`], and for each other shape `O(n V)`, and `O(n²)` for each decomposition; above 1,000
+    /// subjects, `O(V)` for each component.
     ///
     /// # Source
     /// Barber et al., *Predictive inference with the jackknife+*, Annals of Statistics 49, 2021: a member and another
@@ -235,6 +248,9 @@ impl ShapeModel {
         observer: &dyn Observer,
     ) -> Result<Self, StudyError> {
         let shapes = &WatchedShapes { shapes, observer };
+        if n > COMPLETE {
+            return many::model(&Watched { shapes, alignment, observer }, n, many::COMPONENTS, seed);
+        }
         let (gram, norms) = gram(shapes, alignment, n)?;
         let (values, mut vectors) = components(gram.as_ref(), &(0..n).collect::<Vec<_>>())?;
         // The sign of a mode is arbitrary; the subject farthest along it is placed on its positive side.
@@ -259,31 +275,14 @@ impl ShapeModel {
             leave_out((gram.as_ref(), &norms), &left, &others)
         };
         let folds: Vec<LeftOut> = folds.into_par_iter().map(left_out).collect::<Result<_, StudyError>>()?;
-        let (mut left_out, mut generalization_mm) = (vec![0.0; n], vec![0.0; kept]);
-        let mut more_unusual = vec![0; others.len()];
-        for fold in &folds {
-            let distances = fold.distances(distance_modes);
-            let of_others = fold.subjects.iter().zip(&distances).filter(|((i, ..), _)| *i >= n);
-            for ((other, ..), own) in of_others {
-                let members = fold.subjects.iter().zip(&distances).filter(|((i, ..), of)| *i < n && *of >= own);
-                more_unusual[other - n] += members.count();
-            }
-            let members = fold.subjects.iter().zip(&distances).filter(|((i, ..), _)| *i < n);
-            for ((i, scores, squared_norm), distance) in members {
-                left_out[*i] = *distance;
-                let mut rest = *squared_norm;
-                for (k, sum) in generalization_mm.iter_mut().enumerate() {
-                    rest -= scores.get(k).map_or(0.0, |score| score * score);
-                    *sum += rest.max(0.0).sqrt() / n as f64;
-                }
-            }
-        }
+        let Validation { left_out, generalization_mm, others_p } =
+            validation(&folds, n, others.len(), kept, distance_modes);
         let whole: f64 = variances.iter().sum();
         let compactness = (1..=kept).map(|k| variances[..k].iter().sum::<f64>() / whole).collect();
-        let specificity_mm = specificity(&scores, &variances, kept, seed, observer)?;
+        let squares: Vec<f64> = scores.iter().map(|scores| scores.iter().map(|score| score * score).sum()).collect();
+        let specificity_mm = specificity(&scores, &squares, &variances, kept, seed, observer)?;
         let modes = modes(shapes, alignment, &vectors, &values, kept)?;
         let quality = ModelQuality { compactness, generalization_mm, specificity_mm };
-        let others_p = more_unusual.iter().map(|more| (more + 1) as f64 / (n + 1) as f64).collect();
         Ok(ShapeModel { variances, modes, scores, quality, left_out, others_p, distance_modes })
     }
 
@@ -311,6 +310,38 @@ impl ShapeModel {
         let own = self.left_out[subject];
         self.left_out.iter().filter(|&&other| other >= own).count() as f64 / self.left_out.len() as f64
     }
+}
+
+/// How subjects, and others, fare with models that have not seen them.
+struct Validation {
+    left_out: Vec<f64>,
+    generalization_mm: Vec<f64>,
+    others_p: Vec<f64>,
+}
+
+/// Distances and residuals of `n` members and p-values of others from models without some of the members.
+fn validation(folds: &[LeftOut], n: usize, n_others: usize, kept: usize, distance_modes: usize) -> Validation {
+    let (mut left_out, mut generalization_mm) = (vec![0.0; n], vec![0.0; kept]);
+    let mut more_unusual = vec![0; n_others];
+    for fold in folds {
+        let distances = fold.distances(distance_modes);
+        let of_others = fold.subjects.iter().zip(&distances).filter(|((i, ..), _)| *i >= n);
+        for ((other, ..), own) in of_others {
+            let members = fold.subjects.iter().zip(&distances).filter(|((i, ..), of)| *i < n && *of >= own);
+            more_unusual[other - n] += members.count();
+        }
+        let members = fold.subjects.iter().zip(&distances).filter(|((i, ..), _)| *i < n);
+        for ((i, scores, squared_norm), distance) in members {
+            left_out[*i] = *distance;
+            let mut rest = *squared_norm;
+            for (k, sum) in generalization_mm.iter_mut().enumerate() {
+                rest -= scores.get(k).map_or(0.0, |score| score * score);
+                *sum += rest.max(0.0).sqrt() / n as f64;
+            }
+        }
+    }
+    let others_p = more_unusual.iter().map(|more| (more + 1) as f64 / (n + 1) as f64).collect();
+    Validation { left_out, generalization_mm, others_p }
 }
 
 /// Number of models of `n` subjects that are computed without some of them.
@@ -341,9 +372,16 @@ fn modes(
     Ok(modes)
 }
 
-/// RMS distance of random shapes from the nearest subject for 1, 2, … modes, mm. Distances need only the scores.
+/// A draw from the standard normal distribution.
+fn normal_draw(normal: &Normal, random: &mut impl Rng) -> f64 {
+    normal.inverse_cdf(((random.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64)
+}
+
+/// RMS distance of random shapes from the nearest subject for 1, 2, … modes, mm. Distances need only the scores and the
+/// squared distances from the mean.
 fn specificity(
     scores: &[Vec<f64>],
+    squares: &[f64],
     variances: &[f64],
     kept: usize,
     seed: u64,
@@ -355,14 +393,8 @@ fn specificity(
         .map(|k| {
             checkpoint(observer)?;
             let mut random = Xoshiro256PlusPlus::seed_from_u64(seed ^ (k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
-            let shape: Vec<f64> = (0..kept)
-                .map(|k| {
-                    let uniform = ((random.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
-                    variances[k].sqrt() * normal.inverse_cdf(uniform)
-                })
-                .collect();
-            let mut distances: Vec<f64> =
-                scores.iter().map(|scores| scores.iter().map(|score| score * score).sum()).collect();
+            let shape: Vec<f64> = (0..kept).map(|k| variances[k].sqrt() * normal_draw(&normal, &mut random)).collect();
+            let mut distances = squares.to_vec();
             let each = (0..kept)
                 .map(|k| {
                     for (distance, scores) in distances.iter_mut().zip(scores) {
@@ -377,5 +409,6 @@ fn specificity(
     Ok((0..kept).map(|k| each.iter().map(|shape| shape[k]).sum::<f64>() / RANDOM_SHAPES as f64).collect())
 }
 
+pub(crate) mod many;
 #[cfg(test)]
 mod tests;

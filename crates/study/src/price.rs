@@ -8,7 +8,7 @@
 
 use crate::joint::JointSettings;
 use crate::memory::{measures, permutations};
-use crate::model::n_folds;
+use crate::model::{COMPLETE, many, n_folds};
 use homolog_contract::parameters::{
     Algorithm, ClampingMode, CurvatureEstimator, DisplacementMode, FeatureKind, FeatureParameters, MatchParameters,
     Refinement, Update,
@@ -197,6 +197,8 @@ const OF_SHAPE_VERTEX: f64 = 4e-6;
 /// Seconds for each vertex of each pair of subjects, and for each cube of their number in a decomposition.
 const OF_PAIR_VERTEX: f64 = 2e-9;
 const OF_DECOMPOSITION: f64 = 2.5e-10;
+/// Seconds for each vertex of each subject in a read of a large group.
+const OF_READ_VERTEX: f64 = 6e-8;
 /// Seconds for each map, and for each of its vertices: its statistics, and two files.
 const OF_MAP: f64 = 0.05;
 const OF_MAP_VERTEX: f64 = 1e-5;
@@ -216,7 +218,13 @@ pub fn step_price(size: &StudySize) -> Price {
     let maps = size.contrasts as f64 * measures(size) as f64;
     let values = permutations(size) as f64 * maps * v;
     let volumes = if size.has_volumes { n * size.file_bytes as f64 } else { 0.0 };
-    let decompositions = 1.0 + n_folds(size.subjects as usize) as f64;
+    let model = if n <= COMPLETE as f64 {
+        let decompositions = 1.0 + n_folds(size.subjects as usize) as f64;
+        OF_PAIR_VERTEX * n * n * v + decompositions * OF_DECOMPOSITION * n.powi(3)
+    } else {
+        let components = many::COMPONENTS as f64;
+        (many::MAX_PASSES as f64 + 2.0) * n * v * (OF_READ_VERTEX + 2.0 * OF_PAIR_VERTEX * components)
+    };
     let joint = JointSettings::default();
     let rounds = if size.joint { joint.max_rounds as f64 } else { 0.0 };
     let in_model = n.min(joint.most_in_model as f64);
@@ -228,7 +236,7 @@ pub fn step_price(size: &StudySize) -> Price {
             OF_STEP + n * (OF_SUBJECT + OF_SHAPE_VERTEX * v) + OF_VOLUME_BYTE * volumes,
             "fewer subjects or a smaller template",
         ),
-        (OF_PAIR_VERTEX * n * n * v + decompositions * OF_DECOMPOSITION * n.powi(3), "fewer subjects"),
+        (model, "fewer subjects"),
         (maps * (OF_MAP + OF_MAP_VERTEX * v), "fewer contrasts or measures, or a smaller template"),
         (
             values * (OF_VALUE + OF_PERMUTED * n * (size.columns as f64 + 1.0)),

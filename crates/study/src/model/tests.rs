@@ -161,3 +161,74 @@ fn blocks_and_threads_do_not_matter() {
     };
     assert_eq!(with(1), with(4));
 }
+
+/// The model of a group by [`many`] from some directions.
+fn of_many(shapes: &Vec<Vec<[f32; 3]>>, alignment: &Alignment, n: usize, components: usize) -> ShapeModel {
+    many::model(&Watched { shapes, alignment, observer: &Silent }, n, components, 1).unwrap()
+}
+
+#[test]
+fn the_first_components_of_a_large_group_are_all_of_them_where_there_are_no_more() {
+    for n in [9, 40] {
+        let (mesh, mut shapes) = group(n + 2);
+        let all = align(&shapes, &mesh, Size::Kept).unwrap();
+        shapes.truncate(n);
+        let alignment = Alignment { onto_mean: all.onto_mean[..n].to_vec(), ..all };
+        let (whole, many) =
+            (ShapeModel::new(&shapes, &alignment, 1, &Silent).unwrap(), of_many(&shapes, &alignment, n, n - 1));
+        let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= 1e-6 * scale;
+        assert_eq!(many.distance_modes, whole.distance_modes);
+        for k in 0..n - 1 {
+            assert!(near(many.variances[k], whole.variances[k], whole.variances[0]), "component {k} of {n}");
+        }
+        for (k, (a, b)) in many.modes.iter().zip(&whole.modes).enumerate().take(2) {
+            let along: f64 = (0..a.len()).map(|v| alignment.weights[v] * a[v].dot(&b[v])).sum();
+            assert!(near(along, 1.0, 1.0), "mode {k} of {n}: {along}");
+        }
+        for (a, b) in many.left_out.iter().zip(&whole.left_out) {
+            assert!((a / b - 1.0).abs() < 1e-4, "{a} {b}");
+        }
+        let (a, b) = (&many.quality, &whole.quality);
+        for (a, b) in [(&a.compactness, &b.compactness), (&a.generalization_mm, &b.generalization_mm)] {
+            assert!(a.iter().zip(b).all(|(a, b)| near(*a, *b, 1.0)), "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn few_components_of_a_large_group_say_what_all_say() {
+    let (mesh, shapes) = group(150);
+    let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
+    let n = 140;
+    let members = Alignment { onto_mean: alignment.onto_mean[..n].to_vec(), ..alignment.clone() };
+    let first: Vec<_> = shapes[..n].to_vec();
+    let whole = ShapeModel::with_others(&shapes, &alignment, n, 1, &Silent).unwrap();
+    let many = of_many(&shapes, &alignment, n, 16);
+    for k in 0..2 {
+        assert!((many.variances[k] / whole.variances[k] - 1.0).abs() < 1e-6, "component {k}");
+        assert!((many.quality.generalization_mm[k] / whole.quality.generalization_mm[k] - 1.0).abs() < 1e-3);
+        assert!((many.quality.specificity_mm[k] / whole.quality.specificity_mm[k] - 1.0).abs() < 1e-3);
+        assert!((many.quality.compactness[k] - whole.quality.compactness[k]).abs() < 1e-6);
+    }
+    assert!((many.variances.iter().sum::<f64>() / whole.variances.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+    assert_eq!(many.variances.len(), whole.variances.len());
+    // The same subjects are unusual, and others as unusual, by either.
+    let order = |of: &[f64]| {
+        let mut ranks: Vec<usize> = (0..of.len()).collect();
+        ranks.sort_by(|&a, &b| of[b].total_cmp(&of[a]));
+        ranks[..14].to_vec()
+    };
+    let (few, all) = (order(&many.left_out), order(&whole.left_out));
+    assert!(few.iter().filter(|i| all.contains(i)).count() >= 10, "{few:?} {all:?}");
+    for (a, b) in many.others_p.iter().zip(&whole.others_p) {
+        assert!((a - b).abs() < 0.15, "{a} {b}");
+    }
+    // The others change nothing.
+    assert_eq!(ShapeModel { others_p: Vec::new(), ..many.clone() }, of_many(&first, &members, n, 16));
+    let on_threads = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| of_many(&shapes, &alignment, n, 16))
+    };
+    assert_eq!(on_threads(1), many);
+    assert_eq!(on_threads(3), many);
+}

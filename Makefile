@@ -3,15 +3,16 @@
 #   demo           build, start the service, match a pair over HTTP, show the result; SOURCE=a.nii.gz TARGET=b.nii.gz: your own
 #                  pair; KEEP=1: leave the service running
 #   test           the tests, but for the campaigns below; lists what it skipped and why
-#   check          words, packages, formatting, lints, documentation
-#   audit          unused dependencies, licenses and sources, and the matching library without the published methods
+#   check          words, packages, formatting, lints
+#   audit          documentation of the code, unused dependencies, licenses and sources, the matching library without the
+#                  published methods
 #   api            regenerate api/ and docs/parameters.md
 #   client         target/wheels: the Python package with this machine's program in it
 #   dashboard      build the page of the dashboard, dashboard/dist, with node
 #
 # Campaigns of tests
 #   long           tests that measure or attack: predicted memory and prices, every published method, studies, hostile input, PostgreSQL, real
-#                  data: a quarter of an hour; HOMOLOG_REAL_DATA=dir: the folder of real data (data/ unless set)
+#                  data, examples in documentation: a quarter of an hour; HOMOLOG_REAL_DATA=dir: the folder of real data (data/ unless set)
 #   faults         processes killed, databases stopped, disks filled: an hour; SHORT=1: minutes; TEST=a06: the test of that name,
 #                  a_killed_: 200 kills of children and 200 of the service
 #   contract       a service on each store against its OpenAPI document, with schemathesis; EXAMPLES=50: requests an operation
@@ -122,10 +123,10 @@ check:
 	scripts/packages
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --locked --all-targets -- -D warnings
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 
 audit:
 	@scripts/setup audit
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 	$(CARGO) clippy --locked -p homolog-matching -- -D warnings
 	target/tools/bin/cargo-machete
 	target/tools/bin/cargo-deny --locked check bans licenses sources
@@ -148,6 +149,7 @@ sbom:
 
 advisories:
 	@scripts/setup audit
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 	target/tools/bin/cargo-deny --locked check advisories
 
 contract:

@@ -208,7 +208,7 @@ methods: build
 	target/methods-env/bin/python benches/methods/bent_tubes.py target/release/homolog
 
 study: build study-env
-	$(CARGO) build --release --locked -p homolog -p homolog-study --example null_splits --example templates_apart --bins
+	$(CARGO) build --release --locked -p homolog -p homolog-study --example null_splits --example templates_apart --example large_group --bins
 	target/study-env/bin/python benches/study/study.py --binary target/release/homolog --examples target/release/examples \
 	  --data "$(DATA)" --out target/study $(if $(PARTS),--parts "$(PARTS)") $(if $(SPLITS),--splits "$(SPLITS)")
 

@@ -1,6 +1,6 @@
 """Measures studies: on real hippocampi, on simulated atrophy and asymmetry, on splits without an effect, killed, timed, and large.
 
-Usage: study.py --binary homolog --data DIR --out DIR [--parts hippocampi,joint,starts,atrophy,asymmetry,null,killed,time,memory] [--subjects N]
+Usage: study.py --binary homolog --data DIR --out DIR [--parts hippocampi,joint,starts,atrophy,asymmetry,null,killed,time,memory,large] [--subjects N]
 DIR/hippocampus has label volumes (*.nii.gz). Everything is kept in --out, so that what is there is not computed again. Figures go
 to OUT/figures.json and to the standard output, those of asymmetry also to OUT/asymmetry-supplement.md. Needs numpy, scipy, scikit-image, nibabel
 and matplotlib."""
@@ -21,9 +21,9 @@ arguments = argparse.ArgumentParser()
 arguments.add_argument("--binary", required=True)
 arguments.add_argument("--data", required=True)
 arguments.add_argument("--out", required=True)
-arguments.add_argument("--parts", default="time,hippocampi,joint,starts,atrophy,asymmetry,null,killed,memory")
+arguments.add_argument("--parts", default="time,hippocampi,joint,starts,atrophy,asymmetry,null,killed,memory,large")
 arguments.add_argument("--subjects", type=int, default=60)
-arguments.add_argument("--examples", help="folder of the examples null_splits and templates_apart of homolog-study")
+arguments.add_argument("--examples", help="folder of the examples null_splits, templates_apart and large_group of homolog-study")
 arguments.add_argument("--splits", type=int, default=200)
 arguments = arguments.parse_args()
 bench = Bench(arguments.binary, arguments.data, arguments.out)
@@ -187,3 +187,10 @@ if "memory" in parts:
             for copy in range(17) for k, f in enumerate(spread(60))][:1000]
     seconds, processor, memory = study(table(out / "thousand.csv", rows), begun(out / "thousand"), "--effect", "group", "--permutations", 500)
     say("memory", subjects=len(rows), seconds=round(seconds, 1), processor_seconds=round(processor, 1), memory_mib=round(memory))
+
+if "large" in parts:
+    folder = out / "large"
+    shutil.rmtree(folder, ignore_errors=True)
+    said = subprocess.run([f"{arguments.examples}/large_group", "10000", folder], capture_output=True, text=True, check=True)
+    say("large", said=said.stdout.splitlines())
+    shutil.rmtree(folder)

@@ -44,6 +44,7 @@
 #   study          studies of real hippocampi: models, effects, time, memory; PARTS=joint,null; SPLITS=200
 #   study-others   the same with correspondences by other methods; PARTS=model,cycles,atrophy
 #   study-taxa     genera and families of molars by their nearest neighbors, by maps and by landmarks
+#   study-landmarks landmarks of femurs, molars and vertebrae inferred from those of other specimens: target/landmarks/landmarks.md
 #   validate-study known deformations in real groups, against an oracle, and splits without an effect: target/validate-study/report.md;
 #                  SHORT=1: 20 subjects, minutes
 #   bench          a match
@@ -55,7 +56,7 @@ SHELL := /usr/bin/env bash
 .PHONY: help build demo test check audit api client dashboard
 .PHONY: long faults contract readers answers peers-read fuzz soak memory
 .PHONY: properties msrv public-api advisories sbom screenshots pictures
-.PHONY: accuracy experiment methods energies thresholds study study-others study-taxa validate-study study-env bench bench-service
+.PHONY: accuracy experiment methods energies thresholds study study-others study-taxa study-landmarks validate-study study-env bench bench-service
 
 CARGO ?= cargo
 SOURCE ?=
@@ -219,6 +220,9 @@ study-others: build study-env
 
 study-taxa: build study-env
 	target/study-env/bin/python benches/study/taxa.py --binary target/release/homolog --data "$(DATA)" --out target/taxa
+
+study-landmarks: build study-env
+	target/study-env/bin/python benches/study/landmarks.py --binary target/release/homolog --data "$(DATA)" --out target/landmarks
 
 validate-study:
 	$(CARGO) build --release --locked -p homolog-study --example validate_study

@@ -197,8 +197,9 @@ const OF_SHAPE_VERTEX: f64 = 4e-6;
 /// Seconds for each vertex of each pair of subjects, and for each cube of their number in a decomposition.
 const OF_PAIR_VERTEX: f64 = 2e-9;
 const OF_DECOMPOSITION: f64 = 2.5e-10;
-/// Seconds for each vertex of each subject in a read of a large group.
+/// Seconds for each vertex of each subject in a read of a large group, and for each of these with each component.
 const OF_READ_VERTEX: f64 = 6e-8;
+const OF_COMPONENT_VERTEX: f64 = 1e-9;
 /// Seconds for each map, and for each of its vertices: its statistics, and two files.
 const OF_MAP: f64 = 0.05;
 const OF_MAP_VERTEX: f64 = 1e-5;
@@ -223,7 +224,7 @@ pub fn step_price(size: &StudySize) -> Price {
         OF_PAIR_VERTEX * n * n * v + decompositions * OF_DECOMPOSITION * n.powi(3)
     } else {
         let components = many::COMPONENTS as f64;
-        (many::MAX_PASSES as f64 + 2.0) * n * v * (OF_READ_VERTEX + 2.0 * OF_PAIR_VERTEX * components)
+        (many::MAX_PASSES as f64 + 2.0) * n * v * (OF_READ_VERTEX + OF_COMPONENT_VERTEX * components)
     };
     let joint = JointSettings::default();
     let rounds = if size.joint { joint.max_rounds as f64 } else { 0.0 };

@@ -56,6 +56,10 @@ class Specimens:
             maps.append(gifti(path)[0].astype(float) * side if path.exists() else None)
         return mean.astype(float), faces, maps
 
+    def residual_mm(self, folder):
+        """Mean distance of a specimen's surface from the template deformed onto it, in the specimen's own size."""
+        return float(np.mean([float(row["residual_mm"]) for row in csv.DictReader(open(folder / "quality.csv")) if row["residual_mm"]]))
+
     def places(self, folder):
         """What the study in this folder says of each specimen: `model`, `unreliable`, `failed`."""
         return {row["id"]: row["place"] for row in csv.DictReader(open(folder / "quality.csv"))}

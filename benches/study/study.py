@@ -163,12 +163,15 @@ if "null" in parts:
     say("null", said=said.stdout.splitlines())
 
 if "killed" in parts:
-    cohort = out / "time.csv"
-    whole, killed = out / "time", out / "killed"
-    shutil.rmtree(killed, ignore_errors=True)
+    cohort = table(out / "killed.csv", [{"id": stem(f), "file": f, "group": g} for f, g in zip(spread(n), groups)])
+    whole, killed = out / "not-killed", out / "killed"
+    for folder in (whole, killed):
+        shutil.rmtree(folder, ignore_errors=True)
     rng, kills = np.random.default_rng(3), 0
-    command = [arguments.binary, "study", str(cohort), "--out", str(killed), "--effect", "group", "--threads", "2"]
-    while kills < 10:
+    options = ["--effect", "group", "--correspondence", "joint", "--threads", "2"]
+    study(cohort, whole, *options)
+    command = [arguments.binary, "study", str(cohort), "--out", str(killed), *options]
+    while kills < 20:
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             process.wait(rng.uniform(1, 5))
@@ -177,7 +180,7 @@ if "killed" in parts:
             process.send_signal(signal.SIGKILL)
             process.wait()
             kills += 1
-    study(cohort, killed, "--effect", "group", "--threads", 2)
+    study(cohort, killed, *options)
     content = lambda folder: {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
     say("killed", kills=kills, equal_bytes=content(whole) == content(killed))
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from landmarked import Specimens, moved_onto
+from running import model_figures
 
 arguments = argparse.ArgumentParser()
 for name in ("--binary", "--data", "--out"):
@@ -41,6 +42,7 @@ molars = Specimens(place, "molar", out)
 taxon_of = {row["specimen"]: row for row in csv.DictReader(open(place / "molar_taxa.csv"))}
 taxa = {kind: [taxon_of.get(name, {}).get(kind) for name in molars.names] for kind in ("genus", "family")}
 marks = molars.landmarks
+models = {}
 shapes = {"landmarks of experts": (marks, np.full(len(marks[0]), 1 / len(marks[0])))}
 for maps in ("pairs", "joint"):
     mean, faces, found = molars.study(arguments.binary, out / "study", "--without-size", "--correspondence", maps)
@@ -49,11 +51,17 @@ for maps in ("pairs", "joint"):
     for k in range(3):
         np.add.at(areas, faces[:, k], np.linalg.norm(np.cross(b - a, c - a), axis=1))
     shapes[f"maps, {maps}"] = found, areas / areas.sum()
+    models[maps] = model_figures(out / "study") | {"residual_mm": molars.residual_mm(out / "study")}
 lines = [f"{len(molars.names)} second lower molars; taxa with at least {FEWEST} specimens. Right: the nearest neighbor is of the same taxon.", "",
          "| distances of | genus right | family right |", "|---|---|---|"]
 for name, (points, weights) in shapes.items():
     found = distances(points, weights)
     genus, family = (right(found, taxa[kind]) for kind in ("genus", "family"))
     lines.append(f"| {name} | {genus[0]} of {genus[1]} | {family[0]} of {family[1]} |")
+lines += ["", "The shape models of the maps, 10 modes, all teeth scaled to their mean size, mm of that size (residuals: of their own):", "",
+          "| maps | in the model | compactness | generalization, mm | specificity, mm | residual, mean, mm |", "|---|---|---|---|---|---|"]
+for maps, of in models.items():
+    figures = (f"{of[key]['10']:.3f}" for key in ("compactness", "generalization_mm", "specificity_mm"))
+    lines.append(f"| {maps} | {of['subjects']} | {' | '.join(figures)} | {of['residual_mm']:.3f} |")
 (out / "taxa.md").write_text("\n".join(lines) + "\n")
 print("\n".join(lines))

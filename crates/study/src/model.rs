@@ -28,7 +28,8 @@ const BLOCK: usize = 512;
 const ROWS: usize = 64;
 /// Largest group whose components are all computed; above it, [`many`] computes the first ones.
 pub(crate) const COMPLETE: usize = 1000;
-/// Number of subjects up to which each is left out alone; above it, a twentieth is left out at a time.
+/// Number of subjects up to which each is left out alone; above it, a twentieth is left out at a time, and above
+/// [`COMPLETE`] a fifth.
 const LEAVE_ONE_OUT: usize = 200;
 const FOLDS: usize = 20;
 /// Number of random shapes for specificity.
@@ -216,7 +217,7 @@ impl ShapeModel {
     ///
     /// # Cost
     /// `O(n² V)` for inner products, `n` (at most 200; above, 20) eigenvalue decompositions of an `n × n` matrix, and
-    /// one read of all shapes for the modes. Above 1,000 subjects, `O(n V)` for each of 256 components and of at most 12
+    /// one read of all shapes for the modes. Above 1,000 subjects, `O(n V)` for each of 256 components and of at most 84
     /// reads of all shapes.
     pub fn new(
         shapes: &dyn Shapes,
@@ -249,7 +250,7 @@ impl ShapeModel {
     ) -> Result<Self, StudyError> {
         let shapes = &WatchedShapes { shapes, observer };
         if n > COMPLETE {
-            return many::model(&Watched { shapes, alignment, observer }, n, many::COMPONENTS, seed);
+            return many::model(&Watched { shapes, alignment, observer }, n, many::COMPONENTS, n_folds(n), seed);
         }
         let (gram, norms) = gram(shapes, alignment, n)?;
         let (values, mut vectors) = components(gram.as_ref(), &(0..n).collect::<Vec<_>>())?;
@@ -346,7 +347,11 @@ fn validation(folds: &[LeftOut], n: usize, n_others: usize, kept: usize, distanc
 
 /// Number of models of `n` subjects that are computed without some of them.
 pub(crate) fn n_folds(n: usize) -> usize {
-    if n <= LEAVE_ONE_OUT { n } else { FOLDS }
+    match n {
+        0..=LEAVE_ONE_OUT => n,
+        ..=COMPLETE => FOLDS,
+        _ => many::FOLDS,
+    }
 }
 
 /// The modes, summed over subjects in their order.

@@ -224,7 +224,8 @@ pub fn step_price(size: &StudySize) -> Price {
         OF_PAIR_VERTEX * n * n * v + decompositions * OF_DECOMPOSITION * n.powi(3)
     } else {
         let components = many::COMPONENTS as f64;
-        (many::MAX_PASSES as f64 + 2.0) * n * v * (OF_READ_VERTEX + OF_COMPONENT_VERTEX * components)
+        let models = 1.0 + many::FOLDS as f64;
+        models * (many::MAX_PASSES as f64 + 2.0) * n * v * (OF_READ_VERTEX + OF_COMPONENT_VERTEX * components)
     };
     let joint = JointSettings::default();
     let rounds = if size.joint { joint.max_rounds as f64 } else { 0.0 };

@@ -164,7 +164,8 @@ fn blocks_and_threads_do_not_matter() {
 
 /// The model of a group by [`many`] from some directions.
 fn of_many(shapes: &Vec<Vec<[f32; 3]>>, alignment: &Alignment, n: usize, components: usize) -> ShapeModel {
-    many::model(&Watched { shapes, alignment, observer: &Silent }, n, components, 1).unwrap()
+    let n_folds = if components + 1 == n { n } else { many::FOLDS };
+    many::model(&Watched { shapes, alignment, observer: &Silent }, n, components, n_folds, 1).unwrap()
 }
 
 #[test]
@@ -197,13 +198,15 @@ fn the_first_components_of_a_large_group_are_all_of_them_where_there_are_no_more
 
 #[test]
 fn few_components_of_a_large_group_say_what_all_say() {
+    const FEW: usize = 80;
     let (mesh, shapes) = group(150);
     let alignment = align(&shapes, &mesh, Size::Kept).unwrap();
     let n = 140;
     let members = Alignment { onto_mean: alignment.onto_mean[..n].to_vec(), ..alignment.clone() };
     let first: Vec<_> = shapes[..n].to_vec();
     let whole = ShapeModel::with_others(&shapes, &alignment, n, 1, &Silent).unwrap();
-    let many = of_many(&shapes, &alignment, n, 16);
+    let many = of_many(&shapes, &alignment, n, FEW);
+    assert_eq!(many.distance_modes, whole.distance_modes);
     for k in 0..2 {
         assert!((many.variances[k] / whole.variances[k] - 1.0).abs() < 1e-6, "component {k}");
         // Modes of fewer directions have less of the noise of 140 shapes in them.
@@ -227,10 +230,10 @@ fn few_components_of_a_large_group_say_what_all_say() {
         assert!((a - b).abs() < 0.15, "{a} {b}");
     }
     // The others change nothing.
-    assert_eq!(ShapeModel { others_p: Vec::new(), ..many.clone() }, of_many(&first, &members, n, 16));
+    assert_eq!(ShapeModel { others_p: Vec::new(), ..many.clone() }, of_many(&first, &members, n, FEW));
     let on_threads = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| of_many(&shapes, &alignment, n, 16))
+        pool.install(|| of_many(&shapes, &alignment, n, FEW))
     };
     assert_eq!(on_threads(1), many);
     assert_eq!(on_threads(3), many);

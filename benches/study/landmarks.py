@@ -73,7 +73,7 @@ def errors(specimens, mean, faces, maps):
 
 
 lines = ["Landmarks of each specimen from those of all others: distance from where experts placed them, mm, and in percent of the largest extent of the",
-         "specimen's landmarks. In the model: specimens whose match is not unreliable; all with a map are counted.", "",
+         "specimen's landmarks. In the model: specimens whose match is not unreliable; only these are counted.", "",
          "| specimens | landmarks | maps | in the model | median, mm | mean, mm | 90th percentile, mm | mean, % of extent |", "|---|---|---|---|---|---|---|---|"]
 for kind in arguments.kinds.split(","):
     specimens = Specimens(place, kind, out / kind)
@@ -91,10 +91,11 @@ for kind in arguments.kinds.split(","):
         except SystemExit as failure:
             lines.append(f"| {len(specimens.names)} of {kind} | | {name} | none: {str(failure).strip().splitlines()[-1][:120]} | | | | |")
             continue
+        places = specimens.places(folder)
+        maps = [found if places[name] == "model" else None for name, found in zip(specimens.names, maps)]
         found = errors(specimens, mean, faces, maps)
         relative = found / np.array([e for e, m in zip(extents, maps) if m is not None])[:, None]
-        model = sum(place == "model" for place in specimens.places(folder).values())
-        lines.append(f"| {len(specimens.names)} of {kind} | {found.shape[1]} | {name} | {model} | {np.median(found):.2f} | {found.mean():.2f} | "
+        lines.append(f"| {len(specimens.names)} of {kind} | {found.shape[1]} | {name} | {len(found)} | {np.median(found):.2f} | {found.mean():.2f} | "
                      f"{np.percentile(found, 90):.2f} | {100 * relative.mean():.1f} |")
         print(lines[-1], flush=True)
 (out / "landmarks.md").write_text("\n".join(lines) + "\n")

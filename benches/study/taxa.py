@@ -62,6 +62,6 @@ lines += ["", "The shape models of the maps, 10 modes, all teeth scaled to their
           "| maps | in the model | compactness | generalization, mm | specificity, mm | residual, mean, mm |", "|---|---|---|---|---|---|"]
 for maps, of in models.items():
     figures = (f"{of[key]['10']:.3f}" for key in ("compactness", "generalization_mm", "specificity_mm"))
-    lines.append(f"| {maps} | {of['subjects']} | {' | '.join(figures)} | {of['residual_mm']:.3f} |")
+    lines.append(f"| {maps} | {of['subjects']['model']} | {' | '.join(figures)} | {of['residual_mm']:.3f} |")
 (out / "taxa.md").write_text("\n".join(lines) + "\n")
 print("\n".join(lines))

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from landmarked import Specimens
+from running import document
 
 arguments = argparse.ArgumentParser()
 for name in ("--binary", "--data", "--out"):
@@ -86,6 +87,8 @@ for kind in arguments.kinds.split(","):
                 shutil.copytree(first / part, folder / part, dirs_exist_ok=True)
         elif name != "pairs":
             options = [*options, "--template", first / "template/template.ply"]
+            if side := document(first)["settings"].get("template_side"):
+                options += ["--template-side", side]
         try:
             mean, faces, maps = specimens.study(arguments.binary, folder, *options)
         except SystemExit as failure:

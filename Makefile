@@ -150,7 +150,6 @@ sbom:
 
 advisories:
 	@scripts/setup audit
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --locked --no-deps --document-private-items
 	target/tools/bin/cargo-deny --locked check advisories
 
 contract:

@@ -21,6 +21,7 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
+use std::ops::Range;
 
 /// Vertices per block: 10,000 subjects take 123 MB.
 const BLOCK: usize = 512;
@@ -40,8 +41,8 @@ const MAX_MODES: usize = 60;
 /// Share of the variance of the modes whose scores a distance weighs individually.
 const DISTANCE_VARIANCE: f64 = 0.9;
 
-/// A group and who may stop its model.
-struct Watched<'a> {
+/// Aligned shapes, and who may stop their model.
+struct Group<'a> {
     shapes: &'a dyn Shapes,
     alignment: &'a Alignment,
     observer: &'a dyn Observer,
@@ -78,6 +79,36 @@ pub struct ModelQuality {
     pub specificity_mm: Vec<f64>,
 }
 
+/// The coordinates of some vertices of a shape about the mean, in the metric of the alignment.
+fn coordinates(
+    shapes: &dyn Shapes,
+    alignment: &Alignment,
+    shape: usize,
+    vertices: Range<usize>,
+) -> Result<Vec<f64>, StudyError> {
+    let read = points(&shapes.read(shape, vertices.clone())?);
+    let place = &alignment.onto_mean[shape];
+    let at = |(vertex, p): (usize, &Point3<f64>)| {
+        (place.apply(p) - alignment.mean[vertex]) * alignment.weights[vertex].sqrt()
+    };
+    Ok(vertices.zip(&read).flat_map(|each| <[f64; 3]>::from(at(each))).collect())
+}
+
+/// Whether the subject farthest along a mode is on its negative side. The sign of a mode is arbitrary, and so chosen that
+/// this subject is on the positive side.
+fn is_reversed(scores: impl Iterator<Item = f64>) -> bool {
+    scores.fold(0.0_f64, |farthest, score| if score.abs() > farthest.abs() { score } else { farthest }) < 0.0
+}
+
+/// Eigenvalues of a symmetric matrix, descending and at least 0, and eigenvectors.
+fn eigen(matrix: MatRef<'_, f64>) -> Result<(Vec<f64>, Mat<f64>), StudyError> {
+    let n = matrix.nrows();
+    let found = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| StudyError::Decomposition("its Gram matrix"))?;
+    let (values, vectors) = (found.S().column_vector(), found.U());
+    let values = (1..=n).map(|k| values[n - k].max(0.0)).collect();
+    Ok((values, Mat::from_fn(n, n, |i, k| vectors[(i, n - 1 - k)])))
+}
+
 /// Inner products of all shapes with the first `n_members` about the mean, mm², a row for each shape, and the squared
 /// norm of each shape.
 ///
@@ -95,15 +126,7 @@ fn gram(shapes: &dyn Shapes, alignment: &Alignment, n_members: usize) -> Result<
         let columns = 3 * vertices.len();
         let rows: Vec<Vec<f64>> = (0..n)
             .into_par_iter()
-            .map(|shape| {
-                let read = points(&shapes.read(shape, vertices.clone())?);
-                let place = &alignment.onto_mean[shape];
-                let at = |k: usize| {
-                    let vertex = first + k;
-                    (place.apply(&read[k]) - alignment.mean[vertex]) * alignment.weights[vertex].sqrt()
-                };
-                Ok((0..read.len()).flat_map(|k| <[f64; 3]>::from(at(k))).collect())
-            })
+            .map(|shape| coordinates(shapes, alignment, shape, vertices.clone()))
             .collect::<Result<_, StudyError>>()?;
         norms.iter_mut().zip(&rows).for_each(|(norm, row)| *norm += row.iter().map(|x| x * x).sum::<f64>());
         // A shape is a column, so products run over contiguous numbers.
@@ -135,11 +158,10 @@ pub(crate) fn components(gram: MatRef<'_, f64>, of: &[usize]) -> Result<(Vec<f64
     let mean: Vec<f64> = of.iter().map(|&i| of.iter().map(|&j| gram[(i, j)]).sum::<f64>() / n as f64).collect();
     let whole = mean.iter().sum::<f64>() / n as f64;
     let centered = Mat::from_fn(n, n, |i, j| gram[(of[i], of[j])] - mean[i] - mean[j] + whole);
-    let found = centered.self_adjoint_eigen(Side::Lower).map_err(|_| StudyError::Decomposition("its Gram matrix"))?;
-    let (values, vectors) = (found.S().column_vector(), found.U());
-    // Eigenvalues are ascending; the last of the reversed list belongs to the mean and is 0.
-    let values = (1..n).map(|k| values[n - k].max(0.0)).collect();
-    let vectors = Mat::from_fn(n, n - 1, |i, k| vectors[(i, n - 1 - k)]);
+    let (mut values, mut vectors) = eigen(centered.as_ref())?;
+    // The last eigenvalue belongs to the mean and is 0.
+    values.truncate(n - 1);
+    vectors.truncate(n, n - 1);
     Ok((values, vectors))
 }
 
@@ -250,15 +272,12 @@ impl ShapeModel {
     ) -> Result<Self, StudyError> {
         let shapes = &WatchedShapes { shapes, observer };
         if n > COMPLETE {
-            return many::model(&Watched { shapes, alignment, observer }, n, many::COMPONENTS, n_folds(n), seed);
+            return many::model(&Group { shapes, alignment, observer }, n, many::COMPONENTS, n_folds(n), seed);
         }
         let (gram, norms) = gram(shapes, alignment, n)?;
         let (values, mut vectors) = components(gram.as_ref(), &(0..n).collect::<Vec<_>>())?;
-        // The sign of a mode is arbitrary; the subject farthest along it is placed on its positive side.
         for k in 0..vectors.ncols() {
-            let furthest =
-                (0..n).fold(0, |best, i| if vectors[(i, k)].abs() > vectors[(best, k)].abs() { i } else { best });
-            if vectors[(furthest, k)] < 0.0 {
+            if is_reversed((0..n).map(|i| vectors[(i, k)])) {
                 (0..n).for_each(|i| vectors[(i, k)] = -vectors[(i, k)]);
             }
         }
@@ -347,10 +366,12 @@ fn validation(folds: &[LeftOut], n: usize, n_others: usize, kept: usize, distanc
 
 /// Number of models of `n` subjects that are computed without some of them.
 pub(crate) fn n_folds(n: usize) -> usize {
-    match n {
-        0..=LEAVE_ONE_OUT => n,
-        ..=COMPLETE => FOLDS,
-        _ => many::FOLDS,
+    if n <= LEAVE_ONE_OUT {
+        n
+    } else if n <= COMPLETE {
+        FOLDS
+    } else {
+        many::FOLDS
     }
 }
 

@@ -219,12 +219,11 @@ pub fn step_price(size: &StudySize) -> Price {
     let maps = size.contrasts as f64 * measures(size) as f64;
     let values = permutations(size) as f64 * maps * v;
     let volumes = if size.has_volumes { n * size.file_bytes as f64 } else { 0.0 };
+    let models = 1.0 + n_folds(size.subjects as usize) as f64;
     let model = if n <= COMPLETE as f64 {
-        let decompositions = 1.0 + n_folds(size.subjects as usize) as f64;
-        OF_PAIR_VERTEX * n * n * v + decompositions * OF_DECOMPOSITION * n.powi(3)
+        OF_PAIR_VERTEX * n * n * v + models * OF_DECOMPOSITION * n.powi(3)
     } else {
         let components = many::COMPONENTS as f64;
-        let models = 1.0 + many::FOLDS as f64;
         models * (many::MAX_PASSES as f64 + 2.0) * n * v * (OF_READ_VERTEX + OF_COMPONENT_VERTEX * components)
     };
     let joint = JointSettings::default();

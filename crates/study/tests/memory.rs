@@ -46,7 +46,7 @@ fn no_step_of_a_study_takes_more_than_it_is_predicted_to() {
         let (predicted, counted) = step(&made(subjects, levels, contrasts, covariates, permutations));
         let share = predicted as f64 / counted as f64;
         is_fine &= share >= 1.0;
-        // Where arrays decide, and not what is said of each subject, the estimate is not far too high either. Of a large
+        // Where arrays take most, and not names and facts of each subject, the estimate is not far too high either. Of a large
         // group so many may be left out that all components of the others are computed.
         is_fine &= share <= 2.0 || predicted < 32 << 20 || subjects > 1_000;
         lines.push(format!(

@@ -102,7 +102,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 const HEADER: &str = "\
 Maps: the oracle, those of homolog pair by pair and joint, and those of SPHARM-PDM and of closest points, with the same template. \
-In the model: subjects whose match is not unreliable. Effect: mean over the part of the patch that moves by more than half of the height. SE: median standard error (HC3) there. Beyond 2 SE: \
+In the model: subjects whose match is not unreliable. Effect: mean over the part of the patch that moves by more than half of the height. \
+SE: median standard error (HC3) there. Beyond 2 SE: \
 share of the area of that part where the effect has the sign of the deformation and exceeds two standard errors. Found: share of it with a \
 corrected p (TFCE, family-wise) up to 0.05. False: share of the significant area outside of the patch. \
 Distance: from the largest |t| to the middle of the patch on the mean.

@@ -6,13 +6,11 @@
 //!
 //! Sources: Halko, Martinsson, Tropp, *Finding structure with randomness*, SIAM Review 53, 2011; Tipping, Bishop 1999.
 
-use super::{DISTANCE_VARIANCE, KEPT_VARIANCE, LeftOut, MAX_MODES, ModelQuality, ShapeModel, Validation, Watched};
-use super::{explaining, normal_draw, specificity, validation};
-use crate::align::points;
+use super::{DISTANCE_VARIANCE, Group, KEPT_VARIANCE, LeftOut, MAX_MODES, ModelQuality, ShapeModel, Validation};
+use super::{coordinates, eigen, explaining, is_reversed, normal_draw, specificity, validation};
 use crate::error::StudyError;
 use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatRef, Par, Side};
-use homolog_primitives::observe::checkpoint;
+use faer::{Accum, Mat, MatRef, Par};
 use nalgebra::Vector3;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
@@ -53,7 +51,7 @@ struct Reduced {
 /// # Cost
 /// `O(n V components)` and a read of all shapes for each pass, at most 14, of each model; memory `O((n + V) components)`.
 pub(super) fn model(
-    group: &Watched<'_>,
+    group: &Group<'_>,
     n: usize,
     components: usize,
     n_folds: usize,
@@ -65,14 +63,14 @@ pub(super) fn model(
     let variances = reduced.variances(&all);
     let kept = explaining(&variances, KEPT_VARIANCE).min(MAX_MODES).min(found);
     let distance_modes = explaining(&variances, DISTANCE_VARIANCE).clamp(1, (n / 4).min(found.div_ceil(2)).max(1));
-    let fold = |fold: usize| {
+    let without = |fold: usize| {
         let (left, others): (Vec<usize>, Vec<usize>) = (0..n).partition(|i| i % n_folds == fold);
         let reduced = Reduced::new(group, &others, components, seed)?;
         let asked = left.into_iter().chain(n..group.shapes.len());
         let subjects = asked.map(|i| (i, reduced.row(i), reduced.squares[i])).collect();
         Ok(LeftOut { variances: reduced.variances(&others), subjects })
     };
-    let folds: Vec<LeftOut> = (0..n_folds).map(fold).collect::<Result<_, StudyError>>()?;
+    let folds: Vec<LeftOut> = (0..n_folds).map(without).collect::<Result<_, StudyError>>()?;
     let Validation { left_out, generalization_mm, others_p } =
         validation(&folds, n, group.shapes.len() - n, kept, distance_modes);
     let scores: Vec<Vec<f64>> = (0..n).map(|i| reduced.row(i)).collect();
@@ -84,17 +82,8 @@ pub(super) fn model(
     Ok(ShapeModel { variances, modes, scores, quality, left_out, others_p, distance_modes })
 }
 
-/// Eigenvalues, descending and at least 0, and eigenvectors.
-fn eigen(matrix: MatRef<'_, f64>) -> Result<(Vec<f64>, Mat<f64>), StudyError> {
-    let r = matrix.nrows();
-    let found = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| StudyError::Decomposition("its inner products"))?;
-    let (values, vectors) = (found.S().column_vector(), found.U());
-    let values = (1..=r).map(|k| values[r - k].max(0.0)).collect();
-    Ok((values, Mat::from_fn(r, r, |i, k| vectors[(i, r - 1 - k)])))
-}
-
 impl Reduced {
-    fn new(group: &Watched<'_>, members: &[usize], components: usize, seed: u64) -> Result<Self, StudyError> {
+    fn new(group: &Group<'_>, members: &[usize], components: usize, seed: u64) -> Result<Self, StudyError> {
         let coordinates = 3 * group.shapes.n_vertices();
         let components = components.min(members.len() - 1).min(coordinates);
         let center = center(group, members)?;
@@ -128,17 +117,14 @@ impl Reduced {
             scores.subrows_mut(some[0], some.len()).copy_from(&products);
         }
         let (values, mut turn) = eigen(inner.as_ref())?;
-        // The sign of a mode is arbitrary; the subject farthest along it is placed on its positive side.
-        let turned = &scores * &turn;
+        let mut scores = &scores * &turn;
         for k in 0..components {
-            let farther =
-                |best: usize, &i: &usize| if turned[(i, k)].abs() > turned[(best, k)].abs() { i } else { best };
-            let farthest = members.iter().fold(members[0], farther);
-            if turned[(farthest, k)] < 0.0 {
-                (0..components).for_each(|i| turn[(i, k)] = -turn[(i, k)]);
+            if is_reversed(members.iter().map(|&i| scores[(i, k)])) {
+                scores.col_mut(k).iter_mut().for_each(|score| *score = -*score);
+                turn.col_mut(k).iter_mut().for_each(|x| *x = -*x);
             }
         }
-        Ok(Reduced { scores: &scores * &turn, squares, values, directions: &directions * &turn })
+        Ok(Reduced { scores, squares, values, directions: &directions * &turn })
     }
 
     fn row(&self, shape: usize) -> Vec<f64> {
@@ -162,7 +148,7 @@ impl Reduced {
 }
 
 /// The mean of some shapes, as coordinates about the mean of the alignment.
-fn center(group: &Watched<'_>, of: &[usize]) -> Result<Vec<f64>, StudyError> {
+fn center(group: &Group<'_>, of: &[usize]) -> Result<Vec<f64>, StudyError> {
     let zero = vec![0.0; 3 * group.shapes.n_vertices()];
     let mut sum = zero.clone();
     for some in of.chunks(AT_A_TIME) {
@@ -176,16 +162,13 @@ fn center(group: &Watched<'_>, of: &[usize]) -> Result<Vec<f64>, StudyError> {
 }
 
 /// The coordinates of some shapes about a center in the metric of the alignment, each as a column.
-fn columns(group: &Watched<'_>, center: &[f64], some: &[usize]) -> Result<Mat<f64>, StudyError> {
-    let (v, alignment) = (group.shapes.n_vertices(), group.alignment);
+fn columns(group: &Group<'_>, center: &[f64], some: &[usize]) -> Result<Mat<f64>, StudyError> {
+    let v = group.shapes.n_vertices();
     let rows: Vec<Vec<f64>> = some
         .par_iter()
         .map(|&shape| {
-            let place = &alignment.onto_mean[shape];
-            let at = |(v, p)| (place.apply(p) - alignment.mean[v]) * f64::sqrt(alignment.weights[v]);
-            let read = points(&group.shapes.read(shape, 0..v)?);
-            let all = read.iter().enumerate().flat_map(|each| <[f64; 3]>::from(at(each)));
-            Ok(all.zip(center).map(|(x, center)| x - center).collect())
+            let about_mean = coordinates(group.shapes, group.alignment, shape, 0..v)?;
+            Ok(about_mean.iter().zip(center).map(|(x, center)| x - center).collect())
         })
         .collect::<Result<_, StudyError>>()?;
     Ok(Mat::from_fn(3 * v, rows.len(), |k, shape| rows[shape][k]))
@@ -210,7 +193,7 @@ fn products(columns: MatRef<'_, f64>, directions: MatRef<'_, f64>) -> Mat<f64> {
 
 /// The sum of squares and products of some shapes about their mean applied to directions, and its products with them.
 fn pass(
-    group: &Watched<'_>,
+    group: &Group<'_>,
     of: &[usize],
     center: &[f64],
     directions: MatRef<'_, f64>,
@@ -221,7 +204,6 @@ fn pass(
         (0..coordinates).step_by(COORDINATES_OF_TASK).map(|first| (first, Mat::zeros(of_task(first), r))).collect();
     let mut inner = Mat::zeros(r, r);
     for some in of.chunks(AT_A_TIME) {
-        checkpoint(group.observer)?;
         let columns = columns(group, center, some)?;
         let products = products(columns.as_ref(), directions);
         matmul(inner.as_mut(), Accum::Add, products.transpose(), products.as_ref(), 1.0, Par::Seq);

@@ -165,7 +165,7 @@ fn blocks_and_threads_do_not_matter() {
 /// The model of a group by [`many`] from some directions.
 fn of_many(shapes: &Vec<Vec<[f32; 3]>>, alignment: &Alignment, n: usize, components: usize) -> ShapeModel {
     let n_folds = if components + 1 == n { n } else { many::FOLDS };
-    many::model(&Watched { shapes, alignment, observer: &Silent }, n, components, n_folds, 1).unwrap()
+    many::model(&Group { shapes, alignment, observer: &Silent }, n, components, n_folds, 1).unwrap()
 }
 
 #[test]

@@ -29,7 +29,7 @@ class Specimens:
         (self.out / "surfaces").mkdir(parents=True, exist_ok=True)
         for path in sorted(Path(place, kind).glob("*.npz")):
             data = np.load(path)
-            vertices, faces, marks = (data[key].astype(kind) for key, kind in (("V", float), ("F", int), ("L", float)))
+            vertices, faces, marks = (data[key].astype(of) for key, of in (("V", float), ("F", int), ("L", float)))
             equal = np.full(len(marks), 1 / len(marks))
             first = self.landmarks[0] if self.landmarks else marks
             # Of the two, the side whose landmarks fit those of the first specimen.
@@ -56,10 +56,8 @@ class Specimens:
             maps.append(gifti(path)[0].astype(float) * side if path.exists() else None)
         return mean.astype(float), faces, maps
 
-    def residual_mm(self, folder):
-        """Mean distance of a specimen's surface from the template deformed onto it, in the specimen's own size."""
-        return float(np.mean([float(row["residual_mm"]) for row in csv.DictReader(open(folder / "quality.csv")) if row["residual_mm"]]))
 
-    def places(self, folder):
-        """What the study in this folder says of each specimen: `model`, `unreliable`, `failed`."""
-        return {row["id"]: row["place"] for row in csv.DictReader(open(folder / "quality.csv"))}
+def quality(folder, names):
+    """The row of each specimen in the quality control of the study in this folder."""
+    rows = {row["id"]: row for row in csv.DictReader(open(folder / "quality.csv"))}
+    return [rows[name] for name in names]

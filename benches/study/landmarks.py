@@ -6,11 +6,14 @@ specimen is left out once: the landmarks of the others are carried to the mean s
 The template is made without landmarks. Writes OUT/landmarks.md."""
 import argparse
 import shutil
+import sys
 from pathlib import Path
 
 import numpy as np
 
-from landmarked import Specimens
+sys.path.append(str(Path(__file__).parent.parent / "accuracy"))
+from geometry import closest_on_triangles
+from landmarked import Specimens, quality
 from running import document
 
 arguments = argparse.ArgumentParser()
@@ -27,39 +30,11 @@ METHODS = {
 }
 
 
-def nearest(point, vertices, faces):
-    """The face with the nearest point of a surface, and that point's barycentric coordinates."""
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    ab, ac, ap = b - a, c - a, point - a
-    dot = lambda u, v: np.einsum("ij,ij->i", u, v)
-    d00, d01, d11, d20, d21 = dot(ab, ab), dot(ab, ac), dot(ac, ac), dot(ap, ab), dot(ap, ac)
-    area = np.maximum(d00 * d11 - d01 * d01, 1e-300)
-    v, w = (d11 * d20 - d01 * d21) / area, (d00 * d21 - d01 * d20) / area
-    inside = np.stack([1 - v - w, v, w], axis=1)
-    candidates = [np.where((inside >= 0).all(1)[:, None], inside, np.nan)]
-    for i, j in ((0, 1), (0, 2), (1, 2)):
-        corners = (a, b, c)
-        along = corners[j] - corners[i]
-        share = np.clip(dot(point - corners[i], along) / np.maximum(dot(along, along), 1e-300), 0, 1)
-        edge = np.zeros_like(inside)
-        edge[:, i], edge[:, j] = 1 - share, share
-        candidates.append(edge)
-    best = None
-    for weights in candidates:
-        at = weights[:, :1] * a + weights[:, 1:2] * b + weights[:, 2:] * c
-        distance = np.linalg.norm(at - point, axis=1)
-        if np.isnan(distance).all():
-            continue
-        face = int(np.nanargmin(distance))
-        if best is None or distance[face] < best[0]:
-            best = distance[face], face, weights[face]
-    return best[1], best[2]
-
-
 def carried(points, source, target, faces):
     """Points from their nearest places on one surface to the same places on another with the same faces."""
-    places = (nearest(point, source, faces) for point in points)
-    return np.array([weights @ target[faces[face]] for face, weights in places])
+    weights, squared = closest_on_triangles(points[:, None], source[faces])
+    best = squared.argmin(1)
+    return (weights[np.arange(len(points)), best][..., None] * target[faces[best]]).sum(1)
 
 
 def errors(specimens, mean, faces, maps):
@@ -94,8 +69,7 @@ for kind in arguments.kinds.split(","):
         except SystemExit as failure:
             lines.append(f"| {len(specimens.names)} of {kind} | | {name} | none: {str(failure).strip().splitlines()[-1][:120]} | | | | |")
             continue
-        places = specimens.places(folder)
-        maps = [found if places[name] == "model" else None for name, found in zip(specimens.names, maps)]
+        maps = [found if row["place"] == "model" else None for row, found in zip(quality(folder, specimens.names), maps)]
         found = errors(specimens, mean, faces, maps)
         relative = found / np.array([e for e, m in zip(extents, maps) if m is not None])[:, None]
         lines.append(f"| {len(specimens.names)} of {kind} | {found.shape[1]} | {name} | {len(found)} | {np.median(found):.2f} | {found.mean():.2f} | "

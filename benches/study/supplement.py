@@ -15,6 +15,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+sys.path.append(str(Path(__file__).parent.parent / "accuracy"))
+from geometry import vertex_areas
 from running import document
 from surfaces import gifti, maps, patch
 
@@ -40,15 +42,8 @@ def p_value(p):
 
 
 def spread_of(values):
-    return f"{np.mean(values):.{2 if np.mean(values) < 100 else 0}f} ± {np.std(values, ddof=1):.{2 if np.mean(values) < 100 else 0}f}"
-
-
-def areas_of_vertices(vertices, faces):
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    each, sums = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 6, np.zeros(len(vertices))
-    for k in range(3):
-        np.add.at(sums, faces[:, k], each)
-    return sums
+    mean, digits = np.mean(values), 2 if np.mean(values) < 100 else 0
+    return f"{mean:.{digits}f} ± {np.std(values, ddof=1):.{digits}f}"
 
 
 def methods(folder):
@@ -76,11 +71,12 @@ def crossings(points, values, faces, level):
 def figure(folder, path):
     """The effect of each measure on the mean surface, from above and from below; what is not significant is pale."""
     vertices, faces = gifti(folder / "mean.surf.gii")
+    weight = patch(vertices.astype(float), PATCH_MM)
     vertices = vertices.astype(float) - vertices.mean(0)
     # The long axis lies horizontally and the middle axis vertically.
     _, axes = np.linalg.eigh(np.cov(vertices.T))
     axes = axes[:, ::-1] * [1, 1, np.sign(np.linalg.det(axes[:, ::-1]))]
-    flat, weight = vertices @ axes, patch(gifti(folder / "mean.surf.gii")[0].astype(float), PATCH_MM)
+    flat = vertices @ axes
     panels, views = plt.subplots(2, 3, figsize=(11, 5.2))
     a, b, c = (flat[faces[:, k]] for k in range(3))
     facing = np.cross(b - a, c - a)
@@ -112,7 +108,7 @@ def main(out, name):
     folder, figures = out / "asymmetry-known", json.loads((out / "figures.json").read_text())
     study, known = document(folder), figures["asymmetry known"]
     vertices, faces = gifti(folder / "mean.surf.gii")
-    areas = areas_of_vertices(vertices.astype(float), faces)
+    areas = vertex_areas(vertices.astype(float), faces)
     subjects, effects, model, quality = (rows(folder / f"{each}.csv") for each in ("subjects", "effects", "model", "quality"))
     side = lambda key, which: spread_of([float(row[key]) for row in subjects if row["side"] == which])
     whole = {"volume_mm3": "volume, mm³", "area_mm2": "area, mm²", "centroid_size_mm": "centroid size, mm"}

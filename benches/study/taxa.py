@@ -5,12 +5,15 @@ Usage: taxa.py --binary homolog --data DIR --out DIR. DIR/landmarked has molar/*
 the other side are mirrored; which side a tooth is of follows from its landmarks. Size is no part of shape. Writes OUT/taxa.md."""
 import argparse
 import csv
+import sys
 from collections import Counter
 from pathlib import Path
 
 import numpy as np
 
-from landmarked import Specimens, moved_onto
+sys.path.append(str(Path(__file__).parent.parent / "accuracy"))
+from geometry import vertex_areas
+from landmarked import Specimens, moved_onto, quality
 from running import model_figures
 
 arguments = argparse.ArgumentParser()
@@ -46,12 +49,10 @@ models = {}
 shapes = {"landmarks of experts": (marks, np.full(len(marks[0]), 1 / len(marks[0])))}
 for maps in ("pairs", "joint"):
     mean, faces, found = molars.study(arguments.binary, out / "study", "--without-size", "--correspondence", maps)
-    a, b, c = (mean[faces[:, k]] for k in range(3))
-    areas = np.zeros(len(mean))
-    for k in range(3):
-        np.add.at(areas, faces[:, k], np.linalg.norm(np.cross(b - a, c - a), axis=1))
+    areas = vertex_areas(mean, faces)
     shapes[f"maps, {maps}"] = found, areas / areas.sum()
-    models[maps] = model_figures(out / "study") | {"residual_mm": molars.residual_mm(out / "study")}
+    residuals = [float(row["residual_mm"]) for row in quality(out / "study", molars.names) if row["residual_mm"]]
+    models[maps] = model_figures(out / "study") | {"residual_mm": np.mean(residuals)}
 lines = [f"{len(molars.names)} second lower molars; taxa with at least {FEWEST} specimens. Right: the nearest neighbor is of the same taxon.", "",
          "| distances of | genus right | family right |", "|---|---|---|"]
 for name, (points, weights) in shapes.items():

@@ -74,12 +74,16 @@ fn value_in_code(code: &str, name: &str) -> Option<f64> {
     constant.map(str::to_owned).or_else(member).and_then(|value| number(&value))
 }
 
+/// Most fitted numbers that may decide anything.
+const MOST_FITTED: usize = 15;
+
 #[test]
 fn the_ledger_has_the_values_of_the_code() {
     let ledger: toml::Table = fs::read_to_string(root().join("benches/thresholds.toml")).unwrap().parse().unwrap();
     let thresholds = ledger["threshold"].as_array().unwrap();
     let mut wrong = Vec::new();
     let mut names = std::collections::BTreeSet::new();
+    let mut n_fitted = 0;
     for threshold in thresholds {
         let text = |key: &str| threshold[key].as_str().unwrap().to_owned();
         let (name, file) = (text("name"), text("file"));
@@ -90,9 +94,13 @@ fn the_ledger_has_the_values_of_the_code() {
             wrong.push(format!("{file}: {name} is {found:?}, the ledger has {stated:?}"));
         }
         assert!(text("decides").len() > 10, "{name}");
+        let is_fitted = threshold.get("fitted_on").is_some();
+        assert!(is_fitted != threshold.get("chosen").is_some(), "{name} has one of fitted_on and chosen");
+        n_fitted += usize::from(is_fitted);
         assert!(names.insert((file, name)), "listed twice");
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(n_fitted <= MOST_FITTED, "{n_fitted} numbers are fitted");
     // Every threshold of the route and of the verdict is in the ledger.
     let settings = fs::read_to_string(root().join("crates/matching/src/field/settings.rs")).unwrap();
     let defaults = settings.split_once("impl Default for RouteSettings {").unwrap().1;
@@ -106,8 +114,10 @@ fn the_ledger_has_the_values_of_the_code() {
     let verdict = fs::read_to_string(root().join("crates/matching/src/answer/reliability.rs")).unwrap();
     for name in verdict.lines().filter_map(|line| line.strip_prefix("const ")?.split_once(": f64")).map(|found| found.0)
     {
-        let counts = name.starts_with("AWAY_") || name == "MAX_LEAD";
-        assert!(counts || names.iter().any(|(_, listed)| listed == name), "{name} is not in the ledger");
+        assert!(
+            name.starts_with("AWAY_") || names.iter().any(|(_, listed)| listed == name),
+            "{name} is not in the ledger"
+        );
     }
 }
 

@@ -127,14 +127,6 @@ impl CenterLine {
         (ratio.is_finite() && ratio > 0.0).then_some(ratio)
     }
 
-    /// Distance of the ends of the line over its length: 1 for a straight line.
-    pub fn straightness(&self) -> f64 {
-        match self.points.as_slice() {
-            [first, .., last] => (last - first).norm() / self.length(),
-            _ => 1.0,
-        }
-    }
-
     /// Coordinates about the middle of the line, for a tube of radius 1 and length `ratio`.
     pub fn normalized(&self, ratio: f64) -> Vec<Point3<f64>> {
         let (length, radius) = (self.length(), self.radius());

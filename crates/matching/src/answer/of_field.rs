@@ -45,7 +45,7 @@ pub(crate) fn answered(
 fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, answered: &RigidTransform) -> PoseDocument {
     let (origin, pose) = match compared.origin {
         Origin::Pose(k) => (starts[k].origin, starts[k].pose),
-        Origin::Isometry { pose, .. } | Origin::Straightened(pose) => (PoseOrigin::Form, pose),
+        Origin::Bent(pose) => (PoseOrigin::Form, pose),
     };
     PoseDocument {
         origin,

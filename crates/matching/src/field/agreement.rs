@@ -20,7 +20,7 @@ pub(crate) struct Agreement {
 impl Agreement {
     /// Whether another start may give a better agreement.
     pub(crate) fn is_doubtful(&self, settings: &RouteSettings) -> bool {
-        self.curvature < settings.doubtful_curvature || self.normals < settings.doubtful_normals
+        self.normals < settings.doubtful_normals
     }
 }
 

@@ -70,8 +70,7 @@ pub(crate) fn choose_pose(
     for (&index, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
         let pose = poses[index];
-        let misfit =
-            misfit + pose.excess + pose.rotation_of.map_or(0.0, |_| displacement.options.choice.least_gain_of_rotation);
+        let misfit = misfit + pose.excess;
         let end = displacement.same_place.map(|_| {
             let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
             let (weights, mirrored) = (Some(&source.counted[..]), pose.pose.is_reflection());

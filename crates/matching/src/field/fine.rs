@@ -44,7 +44,7 @@ pub(crate) fn fine_in(
     let track = BaseEvaluation::new(displacement, base);
     let mut fitted = FineStageFit { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
     let stays_finite = run_stage(displacement, &mut fitted, middle, Observed::Means)?
-        && run_stage(displacement, &mut fitted, fine, Observed::AlongNormals { weight: 1.0 })?;
+        && run_stage(displacement, &mut fitted, fine, Observed::AlongNormals)?;
     Ok(stays_finite.then_some(fitted))
 }
 
@@ -54,10 +54,7 @@ pub(crate) enum Observed {
     /// The assigned means, on the thinned target.
     Means,
     /// Distances along the normals of the whole target, and with a low weight the assigned means across them.
-    AlongNormals {
-        /// Weight of all observations.
-        weight: f64,
-    },
+    AlongNormals,
 }
 
 /// Runs the steps of a stage. Returns whether all numbers stayed finite.
@@ -71,7 +68,7 @@ pub(crate) fn run_stage(
     let thinned = displacement.source.thinned(stage.n_samples);
     let target = match kind {
         Observed::Means => displacement.target.thinned(stage.n_samples).assignment_target(),
-        Observed::AlongNormals { .. } => displacement.target.assignment_target(),
+        Observed::AlongNormals => displacement.target.assignment_target(),
     };
     let values = displacement.guides.below(track.values(&thinned));
     let starts = track.starts(&thinned);
@@ -90,8 +87,7 @@ pub(crate) fn run_stage(
                 let across = density / (sigma_mm * sigma_mm);
                 observed_means(&assigned.found, &starts, &thinned.counted, across)
             }
-            Observed::AlongNormals { weight } => {
-                let density = weight * density;
+            Observed::AlongNormals => {
                 let (across, along) = (density / (sigma_mm * sigma_mm), density / along_mm(displacement).powi(2));
                 let (observed, residual) =
                     sliding(displacement, &assigned, &thinned.counted, &starts, along, *across_share * across);

@@ -122,7 +122,7 @@ pub(crate) fn finish_backward_fit(
     let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
     let side_of = |role: Role| (surfaces.side_of)(role.other());
     let ReverseFit { displacement, pose, fine } = reverse;
-    let Some(refined) = refined_from(&displacement, fine)? else { return Ok(None) };
+    let refined = refined_from(&displacement, fine)?;
     let found = finish_fit(&displacement, &surfaces.swapped(&landmarks, &side_of), refined, &pose)?;
     Ok(found.and_then(|found| found.inverse(surfaces.full_target, surfaces.full_source)))
 }

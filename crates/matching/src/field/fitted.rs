@@ -59,6 +59,18 @@ pub(crate) struct FinalField {
 }
 
 impl FinalField {
+    /// The field of the fine stage as the last one.
+    pub(crate) fn of_fine_stage(displacement: &FitContext<'_>, fine: FineStageFit) -> FinalField {
+        FinalField {
+            base: fine.track.base,
+            base_functions: displacement.functions.clone(),
+            field: fine.field,
+            functions: displacement.functions.clone(),
+            residual_mm: fine.residual_mm,
+            local: None,
+        }
+    }
+
     /// The vertices of `mesh` moved by the base and the field.
     pub(crate) fn moved(&self, mesh: &SurfaceMesh) -> Vec<Point3<f64>> {
         let values = self.functions.values(mesh.vertices());

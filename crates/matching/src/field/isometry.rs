@@ -173,7 +173,7 @@ pub(crate) struct BentStart {
 impl BentStart {
     fn compared(&self) -> ComparedPose {
         ComparedPose {
-            origin: Origin::Isometry { pose: self.state.base.pose, mean_energy: self.start.mean_energy() },
+            origin: Origin::Bent(self.state.base.pose),
             mirrored: false,
             misfit: self.misfit,
             finer: ComparisonOutcome::Outdone,

@@ -35,7 +35,9 @@ fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &Displacement
     LocalKernel {
         across_share: options.sliding.across_share * clearness.clamp(1.0, 1.0 / options.sliding.across_share),
         kernel: GaussianKernel { width_mm, amplitude_mm: options.local.amplitude * amplitude_mm },
-        noise_mm: found.noise_mm.hypot(options.local.offset_share * amplitude_mm),
+        // Shapes of two subjects differ along the normals without displacement, and nothing tells this from the
+        // displacement, so the amplitude of the heights counts as noise as well.
+        noise_mm: found.noise_mm.hypot(amplitude_mm),
     }
 }
 
@@ -50,7 +52,7 @@ pub(crate) fn local(displacement: &FitContext<'_>, fine: &FineStageFit) -> Resul
     let moved = fine.moved();
     let settings = &displacement.options.local;
     let Some(found) = evidence(displacement, &moved) else { return Ok(None) };
-    if found.gain < settings.least_gain || found.kernel.amplitude_mm < settings.least_amplitude * found.noise_mm {
+    if found.gain < settings.least_gain {
         return Ok(None);
     }
     displacement.observer.progress(PROGRESS_BEFORE_LOCAL);
@@ -162,10 +164,10 @@ fn followed_locally(
     let starts = track.starts(&thinned);
     let mirrored = track.base.pose.is_reflection();
 
-    let sigma_mm = displacement.diagonal_mm * displacement.options.settling.sigma[1];
+    let sigma_mm = displacement.diagonal_mm * displacement.options.fine.sigma[1];
     let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
     let along = settings.point_weight / (mean_area * local.noise_mm * local.noise_mm);
-    let across = displacement.density(&displacement.options.settling, 1.0) / (sigma_mm * sigma_mm);
+    let across = displacement.density(&displacement.options.fine, 1.0) / (sigma_mm * sigma_mm);
     let mut fitted: Option<FittedField> = None;
     for _ in 0..settings.steps {
         checkpoint(displacement.observer)?;

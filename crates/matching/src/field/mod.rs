@@ -26,7 +26,6 @@ mod roundness;
 pub(crate) mod route;
 mod schedule;
 mod settings;
-mod settling;
 mod straightened;
 mod strain;
 mod trace;

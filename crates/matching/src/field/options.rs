@@ -49,11 +49,9 @@ pub(crate) struct DisplacementOptions {
     pub middle: StageSettings,
     /// The fine stage: the whole target, and distances along its normals as observations.
     pub fine: StageSettings,
-    /// The settling: the same at the last scale, weighted by the residual of the fine stage.
-    pub settling: StageSettings,
     /// The choice of the pose.
     pub choice: ChoiceSettings,
-    /// The observations of the fine stage and of the settling.
+    /// The observations of the fine stage.
     pub sliding: SlidingSettings,
     /// The local stage.
     pub local: LocalSettings,
@@ -89,13 +87,6 @@ impl Default for DisplacementOptions {
                 repetitions: 10,
                 sigma: [0.025, 0.02],
                 observations: [160.0, 480.0],
-            },
-            settling: StageSettings {
-                n_samples: 1200,
-                steps: 4,
-                repetitions: 0,
-                sigma: [0.02, 0.02],
-                observations: [480.0, 480.0],
             },
             choice: ChoiceSettings::default(),
             sliding: SlidingSettings::default(),

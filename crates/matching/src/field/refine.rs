@@ -1,11 +1,10 @@
-//! All stages after the coarse one: middle, fine, and local or settling.
+//! All stages after the coarse one: middle, fine and local.
 
 use super::base::State;
 use super::displacement::FitContext;
 use super::fine::fine;
 use super::fitted::{FinalField, FineStageFit};
 use super::local::local;
-use super::settling::settle;
 use crate::error::MatchError;
 
 /// The field after all stages.
@@ -14,18 +13,15 @@ pub(crate) fn run_remaining_stages(
     start: State,
 ) -> Result<Option<FinalField>, MatchError> {
     match fine(displacement, start)? {
-        Some(fine) => refined_from(displacement, fine),
+        Some(fine) => refined_from(displacement, fine).map(Some),
         None => Ok(None),
     }
 }
 
-/// The field after the stages that follow the fine stage, from `fine`.
-pub(crate) fn refined_from(
-    displacement: &FitContext<'_>,
-    fine: FineStageFit,
-) -> Result<Option<FinalField>, MatchError> {
-    match local(displacement, &fine)? {
-        Some(refined) => Ok(Some(refined)),
-        None => settle(displacement, fine),
-    }
+/// The field after the local stage, from `fine`.
+pub(crate) fn refined_from(displacement: &FitContext<'_>, fine: FineStageFit) -> Result<FinalField, MatchError> {
+    Ok(match local(displacement, &fine)? {
+        Some(refined) => refined,
+        None => FinalField::of_fine_stage(displacement, fine),
+    })
 }

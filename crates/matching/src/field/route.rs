@@ -29,7 +29,7 @@
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance
 //! from the tangent plane).
 
-use super::agreement::{Agreement, agreement};
+use super::agreement::agreement;
 use super::choice::choose_pose;
 use super::deformed::Deformed;
 use super::displacement::FitContext;
@@ -54,19 +54,26 @@ use crate::poses::compared::{ComparedPose, ComparisonOutcome};
 use crate::poses::rigid_part::RigidPart;
 use crate::starts::limbs::may_branch;
 use crate::starts::start_pose::StartPose;
-use crate::starts::tubes::{Tubes, differ_in_straightness};
-use crate::surface::repeatability::repeatability;
+use crate::starts::tubes::Tubes;
 use homolog_contract::parameters::{Bending, Landmark};
 use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::{RigidTransform, SamePose};
 use nalgebra::Point3;
+use rayon::prelude::*;
 
 /// The source deformed onto the target.
 pub(crate) struct Fitted {
     pub deformed: Deformed,
     /// The starts that were compared, the one kept first.
     pub compared: Vec<ComparedPose>,
+}
+
+impl Fitted {
+    /// Whether the mirrored source fits better: all answers of this handedness are then wrong.
+    fn mirror_image_is_better(&self) -> bool {
+        self.compared.iter().any(|other| other.finer == ComparisonOutcome::Better)
+    }
 }
 
 /// Parameters that are the same in both directions, and for straightened surfaces.
@@ -159,13 +166,14 @@ fn from_source(
         return Ok(Some(Fitted { deformed, compared }));
     }
     compared.retain(|start| start.finer != ComparisonOutcome::Same);
-    let doubtful = evidence.mirror_image_fits_better || is_doubtful(surfaces, &forward, &wide);
-    let straightening = Straightening::of(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route);
-    let to_beat = least_misfit(&compared) - request.options.route.straight;
-    if let Some(found) = by_tubes(surfaces, straightening, Request { to_beat, ..request })?
-        && least_misfit(&found.compared) < to_beat
-    {
-        return Ok(Some(found));
+    let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
+    if may_be_straightened(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route) {
+        let to_beat = least_misfit(&compared);
+        if let Some(found) = by_tubes(surfaces, Request { to_beat, ..request })?
+            && (found.mirror_image_is_better() || explains_as_much(surfaces, &forward, &found.deformed, (&wide, &pose)))
+        {
+            return Ok(Some(found));
+        }
     }
     let (end, route) = if !evidence.is_mirrored && (doubtful || evidence.branching) {
         by_isometry(surfaces, &forward, (fine, wide), doubtful, evidence.branching)?
@@ -181,7 +189,7 @@ fn from_source(
             let outdone = |rigid: &&mut ComparedPose| rigid.finer != ComparisonOutcome::Better;
             compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = ComparisonOutcome::Outdone);
             compared = route.compared.into_iter().chain(compared).collect();
-            Some(route.refined)
+            route.refined
         }
         (None, Some(reverse)) => {
             let deformed = finish_backward_fit(reverse, surfaces)?;
@@ -189,7 +197,6 @@ fn from_source(
         }
         (None, None) => end.run_remaining_stages(&forward)?,
     };
-    let Some(refined) = refined else { return Ok(None) };
     let deformed = finish_fit(&forward, surfaces, refined, &pose)?;
     Ok(deformed.map(|deformed| Fitted { deformed, compared }))
 }
@@ -277,67 +284,43 @@ fn as_copies(
     Ok(Some(moved_rigidly(forward, surfaces, transform, fine.residual_mm)))
 }
 
-/// Whether surfaces, the source at `moved`, may agree better from another start: whether they agree less than their
-/// noise explains.
-fn is_doubtful(surfaces: &Surfaces<'_>, forward: &FitContext<'_>, moved: &[Point3<f64>]) -> bool {
-    let (found, settings) = (agreement(forward, moved), &forward.options.route);
-    if !found.is_doubtful(settings) || forward.source.coarsening <= 1.0 {
-        return found.is_doubtful(settings);
-    }
-    let root_mm = surfaces.lengths.root_mm;
-    let (of_source, of_target) = rayon::join(
-        || repeatability(surfaces.source, &forward.source, root_mm),
-        || repeatability(surfaces.target, &forward.target, root_mm),
-    );
-    // The noise of two surfaces of one shape limits the correlation of their curvatures to this value.
-    let most = (of_source * of_target).sqrt().max(f64::MIN_POSITIVE);
-    Agreement { curvature: found.curvature / most, ..found }.is_doubtful(settings)
+/// Whether tubular surfaces are straightened: if they may agree better from another start, or if surfaces of one shape,
+/// which may agree and still be bent against each other, differ in spread.
+fn may_be_straightened(
+    surfaces: &Surfaces<'_>,
+    evidence: &CoarseFindings,
+    doubtful: bool,
+    residual_mm: f64,
+    settings: &RouteSettings,
+) -> bool {
+    let of_one_shape = residual_mm < settings.two_subjects * surfaces.lengths.sampling_mm;
+    // Surfaces with limbs are not tubes.
+    let may_bend = !evidence.is_mirrored && !evidence.branching && surfaces.bending != Bending::None;
+    may_bend && (doubtful || of_one_shape && differ_in_spread(surfaces))
 }
 
-/// Whether tubular surfaces are straightened.
-enum Straightening {
-    Never,
-    /// If the straightness of their center lines differs by this much.
-    IfBentBy(f64),
-    Always,
-}
-
-impl Straightening {
-    fn of(
-        surfaces: &Surfaces<'_>,
-        evidence: &CoarseFindings,
-        doubtful: bool,
-        residual_mm: f64,
-        settings: &RouteSettings,
-    ) -> Straightening {
-        let of_one_shape = residual_mm < settings.two_subjects * surfaces.lengths.sampling_mm;
-        // Surfaces with limbs are not tubes.
-        if evidence.is_mirrored || evidence.branching || surfaces.bending == Bending::None {
-            Straightening::Never
-        } else if doubtful {
-            Straightening::Always
-        } else if of_one_shape && differ_in_spread(surfaces) {
-            // Surfaces of one shape may agree and still be bent against each other.
-            Straightening::IfBentBy(settings.bent)
-        } else {
-            Straightening::Never
-        }
-    }
+/// Whether `straightened`, an answer for straightened surfaces, explains the original surfaces no worse than the source
+/// at `wide`, the fit from the rigid `pose`. Misfits compare starts on the same surfaces, and these differ.
+fn explains_as_much(
+    surfaces: &Surfaces<'_>,
+    forward: &FitContext<'_>,
+    straightened: &Deformed,
+    (wide, pose): (&[Point3<f64>], &RigidTransform),
+) -> bool {
+    let carried = |p: &Point3<f64>| {
+        let at = surfaces.source_closest.closest(p);
+        Point3::from(at.blend(|k| straightened.moved[k].coords))
+    };
+    let moved: Vec<Point3<f64>> = surfaces.source.vertices().par_iter().map(carried).collect();
+    let of_straightened = unexplained(forward, &moved, straightened.transform.is_reflection());
+    let of_rigid = unexplained(forward, wide, pose.is_reflection());
+    of_rigid.zip(of_straightened).is_some_and(|(rigid, straightened)| rigid.excess_over(&straightened) > -PREFERRED)
 }
 
 /// The source deformed onto the target by a match of both surfaces straightened; `None` if one is not tubular. Pose
 /// search, field, comparison with mirror images and reverse fit are the same as for the surfaces themselves. Cost: a
 /// match of both surfaces.
-fn by_tubes(
-    surfaces: &Surfaces<'_>,
-    straightening: Straightening,
-    request: Request<'_>,
-) -> Result<Option<Fitted>, MatchError> {
-    match straightening {
-        Straightening::Never => return Ok(None),
-        Straightening::IfBentBy(by) if !differ_in_straightness(surfaces, by) => return Ok(None),
-        Straightening::IfBentBy(_) | Straightening::Always => (),
-    }
+fn by_tubes(surfaces: &Surfaces<'_>, request: Request<'_>) -> Result<Option<Fitted>, MatchError> {
     let tubes = Tubes::of(surfaces);
     checkpoint(request.observer)?;
     let Some(tubes) = tubes else { return Ok(None) };
@@ -353,12 +336,12 @@ fn by_tubes(
 /// The fit from the chosen pose, after some or all stages.
 enum RigidEnd {
     FineStageFit(FineStageFit),
-    /// After all stages; `None` if a number was not finite.
-    FinalField(Option<FinalField>),
+    /// After all stages.
+    FinalField(FinalField),
 }
 
 impl RigidEnd {
-    fn run_remaining_stages(self, forward: &FitContext<'_>) -> Result<Option<FinalField>, MatchError> {
+    fn run_remaining_stages(self, forward: &FitContext<'_>) -> Result<FinalField, MatchError> {
         match self {
             RigidEnd::FineStageFit(fine) => refined_from(forward, fine),
             RigidEnd::FinalField(refined) => Ok(refined),
@@ -390,8 +373,8 @@ fn by_isometry(
     // The misfit of surfaces that agree is at its lowest only after the local stage.
     let end = if doubtful { RigidEnd::FineStageFit(fine) } else { RigidEnd::FinalField(refined_from(forward, fine)?) };
     let reached = match &end {
-        RigidEnd::FinalField(Some(found)) => found.moved(&forward.source.mesh),
-        RigidEnd::FinalField(None) | RigidEnd::FineStageFit(_) => wide,
+        RigidEnd::FinalField(found) => found.moved(&forward.source.mesh),
+        RigidEnd::FineStageFit(_) => wide,
     };
     let low = low_energies(forward, source, target, &reached)?;
     // The present answer has the lowest energy. Surfaces with limbs go on: a fit that is smooth along the surface is

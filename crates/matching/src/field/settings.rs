@@ -12,8 +12,6 @@ pub(crate) struct ChoiceSettings {
     pub same_pose_rad: f64,
     /// Poses of one handedness that are followed after the screening.
     pub followed: usize,
-    /// Least reduction of the misfit by which a rotation about the axis of a nearly round source is preferred to none.
-    pub least_gain_of_rotation: f64,
     /// Steps of the coarse stage from a pose that an earlier fit has found.
     pub steps_from_known_pose: u32,
 }
@@ -25,29 +23,23 @@ impl Default for ChoiceSettings {
             screening_steps: 6,
             same_pose_rad: std::f64::consts::FRAC_PI_4,
             followed: 2,
-            least_gain_of_rotation: 0.01,
             steps_from_known_pose: 6,
         }
     }
 }
 
-/// Observations of the fine stage and of the settling, which slide along the target.
+/// Observations of the fine stage, which slide along the target.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SlidingSettings {
     /// Standard deviation of a point along the normal of the other surface, in sampling distances.
     pub along: f64,
     /// Share of the assignment's weight that is kept across the normal.
     pub across_share: f64,
-    /// Residual along the normals, in sampling distances, below which two surfaces are copies of one anatomy.
-    pub noise: f64,
-    /// Power of `noise / residual` that weights the observations of the settling: two for the variance, the rest
-    /// because larger residuals are correlated over larger areas.
-    pub noise_power: f64,
 }
 
 impl Default for SlidingSettings {
     fn default() -> Self {
-        SlidingSettings { along: 0.34, across_share: 0.1, noise: 0.136, noise_power: 6.0 }
+        SlidingSettings { along: 0.34, across_share: 0.1 }
     }
 }
 
@@ -60,17 +52,11 @@ pub(crate) struct LocalSettings {
     /// Ratio of the displacement to the amplitude of the heights. Heights are distances to closest points, which are
     /// smaller than those to the counterparts where points are also displaced along the surface.
     pub amplitude: f64,
-    /// Share of the amplitude of the heights that counts as noise along the normals: shapes of two subjects differ
-    /// there without displacement.
-    pub offset_share: f64,
     /// Points over which the marginal likelihood is evaluated.
     pub evidence_samples: usize,
     /// Gain of the log marginal likelihood from which a second kernel is added: the Bayesian information criterion for
     /// its width and its variance.
     pub least_gain: f64,
-    /// Least amplitude of a second kernel, in standard deviations of the noise under it: a lower amplitude may be
-    /// noise, whose neighbors are slightly correlated. Both are tried in steps of √2.
-    pub least_amplitude: f64,
     /// Noise along the normals of surfaces made of voxels, in sampling distances. Noisier surfaces have noisier
     /// curvature, so the weight of curvature across the normals is the inverse of the noise variance, relative to this
     /// noise.
@@ -93,10 +79,8 @@ impl Default for LocalSettings {
         LocalSettings {
             widths: [0.07, 0.1, 0.14, 0.2],
             amplitude: 2.0,
-            offset_share: 0.7,
             evidence_samples: 400,
             least_gain: 6.0,
-            least_amplitude: 1.2,
             voxel_noise: 0.1,
             n_inducing: 200,
             stage_steps: 5,
@@ -156,20 +140,12 @@ pub(crate) struct RouteSettings {
     /// Residual along the normals from which surfaces count as those of two subjects, which are fitted in both
     /// directions, in sampling distances.
     pub two_subjects: f64,
-    /// Correlation of curvatures below which another start is tried.
-    pub doubtful_curvature: f64,
     /// Mean cosine between normals below which another start is tried.
     pub doubtful_normals: f64,
-    /// Difference in straightness of two center lines from which tubular surfaces that agree are also straightened.
-    /// This test only skips hopeless attempts; acceptance uses the misfit.
-    pub bent: f64,
-    /// Difference in misfit from which the answer of straightened surfaces is taken: its best start, mirrored or not,
-    /// against the best rigid start.
-    pub straight: f64,
 }
 
 impl Default for RouteSettings {
     fn default() -> Self {
-        RouteSettings { two_subjects: 0.17, doubtful_curvature: 0.6, doubtful_normals: 0.87, bent: 0.15, straight: 0.2 }
+        RouteSettings { two_subjects: 0.17, doubtful_normals: 0.87 }
     }
 }

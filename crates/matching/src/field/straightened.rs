@@ -34,7 +34,7 @@ pub(crate) fn unstraighten(
             let pose = compared.origin.rigid(poses);
             let moved: Vec<Point3<f64>> = source.straight.vertices().iter().map(|p| pose.apply(p)).collect();
             let bent: RigidTransform = rigid(&target.bent(&moved), pose.is_reflection()).unwrap_or(transform);
-            ComparedPose { origin: Origin::Straightened(bent), ..compared }
+            ComparedPose { origin: Origin::Bent(bent), ..compared }
         })
         .collect();
     let error = along::squared_error(surfaces.source, &own, &deformed.agreement, &surfaces.lengths);

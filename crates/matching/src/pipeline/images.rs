@@ -182,7 +182,7 @@ fn by_field(
         return Ok(None);
     };
     let found = DisplacementAnswer::of(fitted, &surfaces);
-    let mut displaced = answered(scene, &starts.poses, &found, reliability(&found, &source.full, &target.full));
+    let mut displaced = answered(scene, &starts.poses, &found, reliability(&found));
     displaced.inference =
         inferred.map(|inferred| inferred.clamped(labels_of(coarse, &displaced.labeling), &displaced.transform));
     observer.progress(PROGRESS_AT_END);

@@ -8,15 +8,9 @@ use homolog_registration::RigidTransform;
 pub(crate) enum Origin {
     /// A rigid pose, by its index among those that were compared.
     Pose(usize),
-    /// A correspondence of low energy of near isometries.
-    Isometry {
-        /// Its rigid part.
-        pose: RigidTransform,
-        /// The energy, a mean over the variables.
-        mean_energy: f64,
-    },
-    /// A pose of straightened surfaces, given as the rigid part of its map of the original surfaces.
-    Straightened(RigidTransform),
+    /// A start that bends the source, given as its rigid part: a correspondence of near isometries, or a pose of
+    /// straightened surfaces.
+    Bent(RigidTransform),
 }
 
 impl Origin {
@@ -24,21 +18,15 @@ impl Origin {
     pub(crate) fn rigid(&self, poses: &[StartPose]) -> RigidTransform {
         match self {
             Origin::Pose(k) => poses[*k].pose,
-            Origin::Isometry { pose, .. } | Origin::Straightened(pose) => *pose,
+            Origin::Bent(pose) => *pose,
         }
-    }
-
-    /// Whether the start is one of the rigid poses.
-    pub(crate) fn is_pose(&self) -> bool {
-        matches!(self, Origin::Pose(_))
     }
 
     /// The same start in the other direction.
     pub(crate) fn inverse(self) -> Origin {
         match self {
             Origin::Pose(k) => Origin::Pose(k),
-            Origin::Isometry { pose, mean_energy } => Origin::Isometry { pose: pose.inverse(), mean_energy },
-            Origin::Straightened(pose) => Origin::Straightened(pose.inverse()),
+            Origin::Bent(pose) => Origin::Bent(pose.inverse()),
         }
     }
 }

@@ -9,7 +9,6 @@ use crate::pair::surfaces::Surfaces;
 use homolog_contract::parameters::{Bending, Landmark};
 use homolog_geometry::center_line::{CenterLine, CenterLineOptions};
 use homolog_geometry::curvature::vertex_areas;
-use homolog_geometry::hierarchy::coarsen;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_registration::alignment::OrientedPoints;
 use homolog_registration::{PoseSearchOptions, pose_search};
@@ -18,9 +17,6 @@ use rayon::prelude::*;
 
 /// Least ratio of the length of the center line to the radius of a tubular surface.
 const TUBULAR: f64 = 6.0;
-/// Vertices of the level on which straightness is estimated first.
-const N_COARSE: usize = 600;
-
 /// A tubular surface and its straightened version.
 pub(crate) struct Tube<'a> {
     pub surface: &'a SurfaceMesh,
@@ -68,19 +64,6 @@ pub(crate) fn carried(
     };
     let height = normal(from).dot(&(p - at.point));
     Point3::from(at.blend(|k| to.vertices()[k].coords) + normal(to) * height)
-}
-
-/// Ratio of the distance between the ends of the center line to its length, on a coarser level.
-fn straightness(surface: &SurfaceMesh) -> Option<f64> {
-    let level = coarsen(surface, N_COARSE);
-    let line = CenterLine::of(level.as_ref().map_or(surface, |level| &level.mesh), &CenterLineOptions::default());
-    Some(line?.straightness())
-}
-
-/// Whether the straightness of the center lines of two surfaces, between 0 and 1, differs by at least `by`.
-pub(crate) fn differ_in_straightness(surfaces: &Surfaces<'_>, by: f64) -> bool {
-    let (a, b) = rayon::join(|| straightness(surfaces.source), || straightness(surfaces.target));
-    a.zip(b).is_some_and(|(a, b)| (a - b).abs() >= by)
 }
 
 /// Two tubular surfaces.

@@ -4,7 +4,6 @@ pub(crate) mod form;
 pub(crate) mod levels;
 pub(crate) mod light_smoothing;
 pub(crate) mod moments;
-pub(crate) mod repeatability;
 pub(crate) mod robust;
 pub(crate) mod round_axis;
 pub(crate) mod side;

@@ -273,7 +273,6 @@ fn renumbering_permutes_the_images_and_threads_change_nothing() {
         coarse: whole.coarse.in_steps(4),
         middle: whole.middle.in_steps(2),
         fine: whole.fine.in_steps(2),
-        settling: whole.settling.in_steps(2),
         ..whole
     };
     let poses = principal_axis_poses(source.mesh.vertices(), target.mesh.vertices()).unwrap();

@@ -107,7 +107,7 @@ fn the_ledger_has_the_values_of_the_code() {
     let defaults = defaults.split_once("        RouteSettings {").unwrap().1.split_once('}').unwrap().0;
     let members: Vec<&str> =
         defaults.split(',').filter_map(|member| member.trim().split_once(": ")).map(|m| m.0).collect();
-    assert!(members.contains(&"two_subjects"), "{members:?}");
+    assert!(members.contains(&"straight"), "{members:?}");
     for member in members {
         assert!(names.iter().any(|(_, name)| name == member), "{member} is not in the ledger");
     }

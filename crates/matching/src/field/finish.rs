@@ -13,6 +13,7 @@ use super::roundness::spread_of_rotations;
 use super::strain::distortion;
 use super::uncertainty;
 use crate::error::MatchError;
+use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::role::Role;
 use crate::pair::surfaces::{Surfaces, swapped};
 use crate::starts::limbs::may_branch;
@@ -35,10 +36,7 @@ pub(crate) fn finish_fit(
     let residual_mm = refined.residual_mm;
     let reached = pose_of(displacement, &own, pose);
     // A region that is missing on one surface would have no counterpart in a fit in the other direction.
-    let returned = if open
-        || refined.base.bend.is_some()
-        || residual_mm < displacement.options.route.two_subjects * lengths.sampling_mm
-    {
+    let returned = if open || refined.base.bend.is_some() || residual_mm < ONE_ANATOMY * lengths.sampling_mm {
         None
     } else {
         backward_positions(displacement, surfaces, &reached, refined.local)?

@@ -10,6 +10,7 @@ use super::functions::Functions;
 use super::local::locally_from;
 use super::refine::run_remaining_stages;
 use crate::error::MatchError;
+use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::surfaces::{Surfaces, diagonal_mm};
 use crate::starts::start_pose::StartPose;
 use homolog_registration::RigidTransform;
@@ -27,7 +28,7 @@ pub(crate) struct ReverseFit<'a> {
 impl ReverseFit<'_> {
     /// Whether the residual is as large as between two subjects.
     pub(crate) fn is_of_two_subjects(&self) -> bool {
-        self.fine.residual_mm >= self.displacement.options.route.two_subjects * self.displacement.lengths.sampling_mm
+        self.fine.residual_mm >= ONE_ANATOMY * self.displacement.lengths.sampling_mm
     }
 
     /// Whether another start may give a better agreement.

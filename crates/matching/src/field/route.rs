@@ -43,10 +43,10 @@ use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, reverse_fit};
 use super::rivals::{Chosen, PREFERRED, unexplained};
-use super::settings::RouteSettings;
 use super::straightened::unstraighten;
 use super::trace::FitTrace;
 use crate::error::MatchError;
+use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::role::Role;
 use crate::pair::smooth_pair::SmoothPair;
 use crate::pair::surfaces::{Surfaces, diagonal_mm, differ_in_spread, swapped};
@@ -60,20 +60,12 @@ use homolog_geometry::curvature::vertex_areas;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::{RigidTransform, SamePose};
 use nalgebra::Point3;
-use rayon::prelude::*;
 
 /// The source deformed onto the target.
 pub(crate) struct Fitted {
     pub deformed: Deformed,
     /// The starts that were compared, the one kept first.
     pub compared: Vec<ComparedPose>,
-}
-
-impl Fitted {
-    /// Whether the mirrored source fits better: all answers of this handedness are then wrong.
-    fn mirror_image_is_better(&self) -> bool {
-        self.compared.iter().any(|other| other.finer == ComparisonOutcome::Better)
-    }
 }
 
 /// Parameters that are the same in both directions, and for straightened surfaces.
@@ -167,10 +159,10 @@ fn from_source(
     }
     compared.retain(|start| start.finer != ComparisonOutcome::Same);
     let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
-    if may_be_straightened(surfaces, &evidence, doubtful, fine.residual_mm, &request.options.route) {
-        let to_beat = least_misfit(&compared);
+    if may_be_straightened(surfaces, &evidence, doubtful, fine.residual_mm) {
+        let to_beat = least_misfit(&compared) - request.options.route.straight;
         if let Some(found) = by_tubes(surfaces, Request { to_beat, ..request })?
-            && (found.mirror_image_is_better() || explains_as_much(surfaces, &forward, &found.deformed, (&wide, &pose)))
+            && least_misfit(&found.compared) < to_beat
         {
             return Ok(Some(found));
         }
@@ -286,35 +278,11 @@ fn as_copies(
 
 /// Whether tubular surfaces are straightened: if they may agree better from another start, or if surfaces of one shape,
 /// which may agree and still be bent against each other, differ in spread.
-fn may_be_straightened(
-    surfaces: &Surfaces<'_>,
-    evidence: &CoarseFindings,
-    doubtful: bool,
-    residual_mm: f64,
-    settings: &RouteSettings,
-) -> bool {
-    let of_one_shape = residual_mm < settings.two_subjects * surfaces.lengths.sampling_mm;
+fn may_be_straightened(surfaces: &Surfaces<'_>, evidence: &CoarseFindings, doubtful: bool, residual_mm: f64) -> bool {
+    let of_one_shape = residual_mm < ONE_ANATOMY * surfaces.lengths.sampling_mm;
     // Surfaces with limbs are not tubes.
     let may_bend = !evidence.is_mirrored && !evidence.branching && surfaces.bending != Bending::None;
     may_bend && (doubtful || of_one_shape && differ_in_spread(surfaces))
-}
-
-/// Whether `straightened`, an answer for straightened surfaces, explains the original surfaces no worse than the source
-/// at `wide`, the fit from the rigid `pose`. Misfits compare starts on the same surfaces, and these differ.
-fn explains_as_much(
-    surfaces: &Surfaces<'_>,
-    forward: &FitContext<'_>,
-    straightened: &Deformed,
-    (wide, pose): (&[Point3<f64>], &RigidTransform),
-) -> bool {
-    let carried = |p: &Point3<f64>| {
-        let at = surfaces.source_closest.closest(p);
-        Point3::from(at.blend(|k| straightened.moved[k].coords))
-    };
-    let moved: Vec<Point3<f64>> = surfaces.source.vertices().par_iter().map(carried).collect();
-    let of_straightened = unexplained(forward, &moved, straightened.transform.is_reflection());
-    let of_rigid = unexplained(forward, wide, pose.is_reflection());
-    of_rigid.zip(of_straightened).is_some_and(|(rigid, straightened)| rigid.excess_over(&straightened) > -PREFERRED)
 }
 
 /// The source deformed onto the target by a match of both surfaces straightened; `None` if one is not tubular. Pose

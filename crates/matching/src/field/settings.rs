@@ -137,15 +137,15 @@ impl Default for IsometryFitSettings {
 /// Thresholds by which the route decides which starts to try and which answer to take.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RouteSettings {
-    /// Residual along the normals from which surfaces count as those of two subjects, which are fitted in both
-    /// directions, in sampling distances.
-    pub two_subjects: f64,
     /// Mean cosine between normals below which another start is tried.
     pub doubtful_normals: f64,
+    /// Difference in misfit from which the answer of straightened surfaces is taken: its best start, mirrored or not,
+    /// against the best rigid start.
+    pub straight: f64,
 }
 
 impl Default for RouteSettings {
     fn default() -> Self {
-        RouteSettings { two_subjects: 0.17, doubtful_normals: 0.87 }
+        RouteSettings { doubtful_normals: 0.87, straight: 0.2 }
     }
 }

@@ -6,6 +6,11 @@ use crate::surface::side::SurfaceLevel;
 /// Least sampling distance, in roots of the area: a field of tens of functions is no more precise on finer sampling.
 const FINEST_SAMPLING: f64 = 0.022;
 
+/// Robust standard deviation of residuals along the normals up to which two surfaces show one anatomy, in sampling
+/// distances: up to here they are copies if they have it after a rigid alignment, and above it after a deformation they
+/// are of two subjects.
+pub(crate) const ONE_ANATOMY: f64 = 0.17;
+
 /// Squared error of an image that no field explains, in squared sampling distances; fitted.
 const SAMPLING_VARIANCE: f64 = 0.039;
 

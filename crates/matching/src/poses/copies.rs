@@ -1,11 +1,9 @@
 //! Whether two surfaces are copies of one shape. Copies can be aligned more precisely than two subjects.
 
+use crate::pair::lengths::ONE_ANATOMY;
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, align_both_ways};
 
-/// Robust standard deviation of the residuals along the normals up to which surfaces are copies, in mean target edge
-/// lengths.
-const MAX_COPY_RESIDUAL_EDGES: f64 = 0.2;
 /// Least share of the area of one surface whose closest points lie inside the rim of the other. Surfaces that only
 /// touch give no evidence.
 const LEAST_OVERLAP: f64 = 0.5;
@@ -43,8 +41,6 @@ pub(crate) fn align_shortly(
     let found = align_both_ways(source, target, start, &options, observer)?;
     Ok(Aligned {
         target_from_source: found.target_from_source,
-        copies: found.steps > 0
-            && found.residual_mm <= MAX_COPY_RESIDUAL_EDGES * edge_mm
-            && found.overlap >= LEAST_OVERLAP,
+        copies: found.steps > 0 && found.residual_mm <= ONE_ANATOMY * edge_mm && found.overlap >= LEAST_OVERLAP,
     })
 }

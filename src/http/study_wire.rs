@@ -250,6 +250,13 @@ pub(crate) enum CovariateValue {
 #[serde(transparent)]
 pub(crate) struct Covariates(pub(crate) BTreeMap<String, String>);
 
+impl Covariates {
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
 impl<'de> Deserialize<'de> for Covariates {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Reader;

@@ -37,6 +37,12 @@ pub struct ScoreQuestions {
     /// The covariate and the level of the group; `None`: all members of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub group: Option<(String, String)>,
+    /// Covariates of the study that are adjusted for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub adjust: Vec<String>,
+    /// The values of these covariates, as text; numbers as they were written.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub covariates: BTreeMap<String, String>,
 }
 
 /// Names of the blobs of a study. What begins with `matches/` or `template/` is a file of its folder.

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod adjustment;
 pub mod align;
 pub mod average;
 pub mod cohort;

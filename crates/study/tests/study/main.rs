@@ -1,6 +1,7 @@
 //! Studies of synthetic groups: what they find, what they write, what they take, and that they stop.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout)]
 
+mod adjusted_score;
 mod cancellation;
 mod equal_inputs;
 mod joint;

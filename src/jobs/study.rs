@@ -141,6 +141,9 @@ pub struct StudyQuestions {
     /// Origin of the maps, by name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub correspondence: Option<String>,
+    /// What visits of one person are matched with, by name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub visits: Option<String>,
     /// Subjects among which the consistency of maps is measured.
     pub cycles: u32,
     /// The covariate of interest.
@@ -253,6 +256,18 @@ pub struct StudyPlan {
     pub tasks: Vec<PlannedMatch>,
     /// The template.
     pub template: InputSummary,
+    /// The templates of persons, in the order in which their files follow each other.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub own: Vec<PlannedTemplate>,
+}
+
+/// The template of a person.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlannedTemplate {
+    /// Size of its file, bytes.
+    pub n_bytes: u64,
+    /// Its surface.
+    pub surface: InputSummary,
 }
 
 /// A match that is missing.
@@ -264,6 +279,9 @@ pub struct PlannedMatch {
     pub source: Option<usize>,
     /// The subject that stays; `None`: the template.
     pub target: Option<usize>,
+    /// The template of a person that takes part, by its place: it moves onto the subject, or the template onto it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own: Option<usize>,
     /// Whether source and target are mirrored.
     #[serde(default)]
     pub mirrored: [bool; 2],

@@ -19,7 +19,7 @@ use homolog_study::StudyError;
 use homolog_study::adjustment::Adjustment;
 use homolog_study::folder::record_name;
 use homolog_study::matching::StudyObserver;
-use homolog_study::plan::{Records as _, Step, Task};
+use homolog_study::plan::{Purpose as Matching, Records as _, Step, Task};
 use homolog_study::record::Record;
 use homolog_study::score::{NewSubject, Reference, Subgroup, add, check_group, score};
 use serde::Deserialize as _;
@@ -142,12 +142,12 @@ fn scored(
     let k = study.cohort.subjects.len() - 1;
     let surfaces = SurfaceCache::new(0);
     let mut step = study.advance(&folder, &watcher)?;
-    if let Step::Match { template, tasks, .. } = &step {
+    while let Step::Match { purpose: Matching::Visits(_) | Matching::Subjects, template, tasks, own, .. } = &step {
         // Whatever else is missing was removed since: its subject has no match, as in a study without it.
         let is_own = |task: &Task| task.target == Some(k) && task.source.is_none();
         for task in tasks {
             let record = match is_own(task) {
-                true => study.compute(task, template, &surfaces, &folder, &watcher)?,
+                true => study.compute(task, (template, own), &surfaces, &folder, &watcher)?,
                 false => Record::failed("the match was removed".to_owned()),
             };
             folder.keep(&task.key, &record)?;

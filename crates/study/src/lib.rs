@@ -28,5 +28,6 @@ pub mod sides;
 pub mod statistics;
 pub mod storage;
 pub mod subjects;
+pub mod visits;
 
 pub use error::StudyError;

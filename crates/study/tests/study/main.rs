@@ -4,6 +4,8 @@
 mod adjusted_score;
 mod cancellation;
 mod equal_inputs;
+#[path = "../../../../tests/fixtures/mod.rs"]
+mod fixtures;
 mod joint;
 #[path = "../making/mod.rs"]
 mod making;
@@ -11,8 +13,10 @@ mod paired;
 mod population;
 #[cfg(target_os = "linux")]
 mod price;
+mod real_data;
 mod score;
 mod sides;
 mod statistics;
 mod study;
 mod template;
+mod visits;

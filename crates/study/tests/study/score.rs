@@ -12,7 +12,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::score::{NewSubject, Reference, Subgroup, SubjectScore, add, score};
-use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -44,6 +44,7 @@ fn settings() -> Settings {
         template_side: None,
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
+        visits: Visits::default(),
         analysis: Analysis::default(),
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

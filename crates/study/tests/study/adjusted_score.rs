@@ -67,7 +67,9 @@ fn old_subjects_are_unusual_without_adjustment_and_not_with_it() {
         );
         assert!(share(&plain, &above) > 0.2, "{n}: falsely beyond the bound in {}", share(&plain, &above));
         assert!(share(&adjusted, &above) < 0.05 + 3.0 * (0.05 * 0.95 / tries as f64).sqrt());
-        assert!(unusual < most && largest < most, "{n}: {unusual} {largest} {most}");
+        assert!(largest < most, "{n}: {largest} {most}");
+        // Far outside of the range of the group, residuals of the subject follow from those of the members.
+        assert!(share(&adjusted, &below) < 0.2 + 3.0 * (0.16 / tries as f64).sqrt(), "{n}: {unusual}");
         assert!((rms - 1.0).abs() < 0.05, "{n}: {rms}");
     }
 }

@@ -4,6 +4,7 @@
 mod adjusted_score;
 mod cancellation;
 mod equal_inputs;
+#[allow(dead_code, reason = "each test binary uses a part")]
 #[path = "../../../../tests/fixtures/mod.rs"]
 mod fixtures;
 mod joint;

@@ -11,7 +11,7 @@ use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Silent;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, find};
-use homolog_study::folder::{Folder, record_name};
+use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::measures::measured;
 use homolog_study::plan::{Purpose, Records, Step, Study, Task, Template};
@@ -22,6 +22,7 @@ use nalgebra::{Point3, Rotation3, Vector3};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
+use std::sync::LazyLock;
 
 const AXES: [f64; 3] = [12.0, 6.0, 4.0];
 const VISITS: usize = 3;
@@ -58,13 +59,13 @@ fn height(p: &Point3<f64>, center: &Point3<f64>) -> f64 {
     (-(p - center).norm_squared() / (2.0 * WIDTH_MM * WIDTH_MM)).exp()
 }
 
-fn template() -> SurfaceMesh {
-    ellipsoid(Vector3::from(AXES), 3)
-}
+/// The template, and the places of bumps in which persons differ.
+static TEMPLATE: LazyLock<SurfaceMesh> = LazyLock::new(|| ellipsoid(Vector3::from(AXES), 3));
+static BUMPS: LazyLock<SurfaceMesh> = LazyLock::new(|| ellipsoid(Vector3::from(AXES), 1));
 
-/// The vertices of every file, as points of the ellipsoid; not those of the template.
+/// The vertices of every file, as points of the ellipsoid: not those of the template, and dense beside the patch.
 fn sampling() -> SurfaceMesh {
-    let mesh = ellipsoid(Vector3::from(AXES), 3);
+    let mesh = ellipsoid(Vector3::from(AXES), 4);
     let turned = Rotation3::from_euler_angles(0.3, 0.2, 0.1);
     let at = |p: &Point3<f64>| on_ellipsoid(&(turned * p));
     mesh.with_vertices(mesh.vertices().iter().map(at).collect()).unwrap()
@@ -72,9 +73,9 @@ fn sampling() -> SurfaceMesh {
 
 /// Where the point `p` of the ellipsoid is in a visit: moved along the normal as in this person, thinned, turned and shifted.
 fn truth([person, visit]: [usize; 2], p: &Point3<f64>) -> Point3<f64> {
-    let (centers, of) = (ellipsoid(Vector3::from(AXES), 1), person as u64);
-    let anatomy = centers.vertices().iter().zip(0..).map(|(c, k)| 0.5 * number(of, k) * height(p, c)).sum::<f64>();
-    let patch = height(p, &template().vertices()[PLACE]);
+    let of = person as u64;
+    let anatomy = BUMPS.vertices().iter().zip(0..).map(|(c, k)| 0.5 * number(of, k) * height(p, c)).sum::<f64>();
+    let patch = height(p, &TEMPLATE.vertices()[PLACE]);
     let shape = p + (anatomy - THINNING_MM * visit as f64 * patch) * normal(p);
     let pose = |which: u64| number(1000 + (VISITS * person + visit) as u64, which);
     Rotation3::from_euler_angles(0.3 * pose(0), 0.2 * pose(1), 0.4 * pose(2)) * shape
@@ -107,7 +108,7 @@ fn of_name(name: &str) -> [usize; 2] {
 impl Inputs for Files {
     fn read(&self, file: &Path) -> io::Result<Vec<u8>> {
         let name = file.file_stem().and_then(|name| name.to_str()).unwrap();
-        Ok(write_ply(&if name == "template" { template() } else { surface(of_name(name)) }))
+        Ok(if name == "template" { write_ply(&TEMPLATE) } else { write_ply(&surface(of_name(name))) })
     }
     fn hash(&self, file: &Path) -> io::Result<String> {
         Ok(blake3::hash(&self.read(file)?).to_hex().to_string())
@@ -123,13 +124,16 @@ struct Made {
     /// Slides of matches of different anatomies, and of one.
     between_mm: f64,
     within_mm: f64,
+    /// Whether matches of the template slide alike in all visits of a person.
+    is_shared: bool,
     is_reversed: bool,
 }
 
 impl Made {
     fn of(persons: usize, visits: Visits) -> Self {
         let correspondence = Correspondence::Pairs;
-        Made { persons, visits, correspondence, between_mm: BETWEEN_MM, within_mm: WITHIN_MM, is_reversed: false }
+        let (between_mm, within_mm) = (BETWEEN_MM, WITHIN_MM);
+        Made { persons, visits, correspondence, between_mm, within_mm, is_shared: false, is_reversed: false }
     }
 
     fn table(&self) -> String {
@@ -157,24 +161,27 @@ impl Made {
         Study::open(cohort, settings, &[], folder, &Quiet).unwrap()
     }
 
-    /// The record of a match, with a slide that its key names.
+    /// The record of a match, with a slide that its key names, or its person.
     fn record(&self, study: &Study, task: &Task, own: &[Template]) -> Record {
         let seed = u64::from_str_radix(&task.key[..12], 16).unwrap();
         let of = |row: usize| of_name(&study.cohort.subjects[row].id);
-        let (base, template) = (sampling(), template());
+        let of_person = |row: usize| 5000 + of(row)[0] as u64;
+        let base = sampling();
         let points: Vec<Point3<f64>> = match (task.source, task.target, task.own) {
             (Some(_), Some(visit), None) | (None, Some(visit), Some(_)) => {
                 base.vertices().iter().map(|p| truth(of(visit), &slid(p, self.within_mm, seed))).collect()
             }
             (None, Some(visit), None) => {
-                template.vertices().iter().map(|p| truth(of(visit), &slid(p, self.between_mm, seed))).collect()
+                let seed = if self.is_shared { of_person(visit) } else { seed };
+                TEMPLATE.vertices().iter().map(|p| truth(of(visit), &slid(p, self.between_mm, seed))).collect()
             }
             (None, None, Some(k)) => {
+                let seed = study.persons.get(k).map_or(seed, |person| of_person(person.start));
                 let (index, to) = (ClosestPointIndex::new(&base), own[k].mesh.vertices());
                 let at = |p: &Point3<f64>| {
                     Point3::from(index.closest(&slid(p, self.between_mm, seed)).blend(|v| to[v].coords))
                 };
-                template.vertices().iter().map(at).collect()
+                TEMPLATE.vertices().iter().map(at).collect()
             }
             other => panic!("{other:?}"),
         };
@@ -255,7 +262,7 @@ fn deviation(of: &[f64]) -> f64 {
 
 /// Root mean square over the vertices without change of the standard deviation over persons.
 fn noise(changes: &[Vec<f64>]) -> f64 {
-    let mesh = template();
+    let mesh = &*TEMPLATE;
     let place = mesh.vertices()[PLACE];
     let far: Vec<usize> =
         (0..mesh.n_vertices()).filter(|&v| (mesh.vertices()[v] - place).norm() > 3.5 * WIDTH_MM).collect();
@@ -265,7 +272,7 @@ fn noise(changes: &[Vec<f64>]) -> f64 {
 
 /// The mean change in the middle of the patch, for each person.
 fn in_patch(changes: &[Vec<f64>]) -> Vec<f64> {
-    let mesh = template();
+    let mesh = &*TEMPLATE;
     let middle: Vec<usize> =
         (0..mesh.n_vertices()).filter(|&v| height(&mesh.vertices()[v], &mesh.vertices()[PLACE]) > 0.5).collect();
     changes.iter().map(|of| mean(&middle.iter().map(|&v| of[v]).collect::<Vec<_>>())).collect()
@@ -276,8 +283,9 @@ fn changes_within_persons_have_less_noise_and_the_thinning_is_unbiased() {
     const PERSONS: usize = 20;
     let plain = Made::of(PERSONS, Visits::GroupTemplate).found();
     let own = Made::of(PERSONS, Visits::OwnTemplate).found();
-    // What matches without errors would show.
-    let oracle = Made { between_mm: 0.0, within_mm: 0.0, ..Made::of(PERSONS, Visits::GroupTemplate) }.found();
+    // Matches with the template without errors, and matches whose error is the same in all visits of a person.
+    let exact = Made { between_mm: 0.0, ..Made::of(PERSONS, Visits::GroupTemplate) }.found();
+    let oracle = Made { is_shared: true, ..Made::of(PERSONS, Visits::GroupTemplate) }.found();
     for (measure, most) in [(Measure::NormalDisplacement, 0.3), (Measure::LogArea, 0.3)] {
         let of = |done: &Done| noise(&done.changes(measure, 0, 2));
         let (with, without) = (of(&own), of(&plain));
@@ -290,15 +298,24 @@ fn changes_within_persons_have_less_noise_and_the_thinning_is_unbiased() {
     }
     for (from, to) in [(0, 1), (1, 2), (0, 2), (2, 0)] {
         let of = |done: &Done| in_patch(&done.changes(Measure::NormalDisplacement, from, to));
-        let (truth, found, plain) = (mean(&of(&oracle)), of(&own), of(&plain));
-        let error = deviation(&found) / (PERSONS as f64).sqrt();
+        let (truth, found, plain) = (of(&oracle), of(&own), of(&plain));
+        let error = |of: &[f64]| deviation(of) / (PERSONS as f64).sqrt();
+        let off: Vec<f64> = found.iter().zip(&truth).map(|(a, b)| a - b).collect();
         println!(
-            "visit {from} to {to}: {:.4} (SE {error:.4}), without errors {truth:.4}, by the group template {:.4} (SE {:.4})",
+            "visit {from} to {to}: {:.4} (SE {:.4}), where the vertices are {:.4}, off by {:.4} (SE {:.4}); without errors \
+             {:.4}; by the group template {:.4} (SE {:.4})",
             mean(&found),
+            error(&found),
+            mean(&truth),
+            mean(&off),
+            error(&off),
+            mean(&of(&exact)),
             mean(&plain),
-            deviation(&plain) / (PERSONS as f64).sqrt()
+            error(&plain)
         );
-        assert!(truth.abs() > 0.1 && (mean(&found) - truth).abs() < 3.0 * error, "{from} {to}: {truth} {found:?}");
+        assert!(mean(&truth).abs() > 0.1 && mean(&off).abs() < 3.0 * error(&off), "{from} {to}: {off:?}");
+        // Narrow enough to tell.
+        assert!(error(&off) < 0.1 * mean(&truth).abs(), "{from} {to}: {off:?}");
     }
     let noise_of = |from, to| noise(&own.changes(Measure::NormalDisplacement, from, to));
     let each = [noise_of(0, 1), noise_of(1, 2), noise_of(0, 2)];

@@ -2,7 +2,7 @@
 
 use super::input_wire::{SubmittedInputDocument, input};
 use super::strict_json::SentTags;
-use super::study_wire::{Covariates, labels};
+use super::study_wire::{CovariateValue, Covariates, labels};
 use crate::jobs::documents::{BodySide, LabelChoice};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

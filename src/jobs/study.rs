@@ -230,6 +230,7 @@ impl StudyDefinition {
             file_bytes: inputs().map(|input| input.n_bytes).max().unwrap_or(0),
             has_volumes: inputs().any(is_volume),
             joint: asked.correspondence.as_deref() == Some("joint"),
+            own_templates: asked.visits.as_deref() == Some("own_template"),
         }
     }
 }

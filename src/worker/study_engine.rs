@@ -93,7 +93,7 @@ pub(super) fn check_size(
     if size.ring > 0 {
         pairs.extend([(largest, template), (largest, largest)]);
     }
-    if definition.questions.visits.as_deref() == Some(Visits::OwnTemplate.name()) {
+    if size.own_templates {
         pairs.push((largest, largest));
     }
     for (source, target) in pairs {

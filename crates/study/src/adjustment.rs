@@ -49,6 +49,9 @@ pub struct AdjustmentFacts {
     pub warnings: Vec<String>,
 }
 
+/// Shapes with the frame they are in.
+type FramedShapes = (Vec<Vec<[f32; 3]>>, Alignment);
+
 /// A value of the new subject.
 enum Value<'a> {
     Number(f64, &'a [Option<f64>]),
@@ -202,11 +205,7 @@ impl Adjustment {
 impl Adjusted {
     /// The mean plus the residuals of each shape, the members' and the subject's last, in the frame of the mean, with the
     /// transforms of this frame, which are none. Memory: 12 bytes for each vertex of each shape.
-    pub(crate) fn shapes(
-        &self,
-        shapes: &dyn Shapes,
-        alignment: &Alignment,
-    ) -> Result<(Vec<Vec<[f32; 3]>>, Alignment), StudyError> {
+    pub(crate) fn shapes(&self, shapes: &dyn Shapes, alignment: &Alignment) -> Result<FramedShapes, StudyError> {
         let (n, vertices) = (shapes.len(), shapes.n_vertices());
         let mut moved: Vec<Vec<[f32; 3]>> = (0..n)
             .into_par_iter()

@@ -100,6 +100,7 @@ pub(crate) fn made_with(
         file_bytes: if joint { write_ply(&template).len() as u64 } else { 64 },
         has_volumes: false,
         joint,
+        own_templates: false,
     };
     let analysis = Analysis {
         effect: Some("group".to_owned()),

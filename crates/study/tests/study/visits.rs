@@ -374,7 +374,8 @@ fn joint_maps_keep_the_precision_within_persons() {
     assert_eq!(own.found.joint.as_ref().unwrap().subjects, 8, "a person counts once");
     let of = |done: &Done| noise(&done.changes(Measure::NormalDisplacement, 0, 2));
     println!("joint maps: SD of change {:.4} with and {:.4} without", of(&own), of(&plain));
-    assert!(of(&own) < 0.5 * of(&plain), "{} {}", of(&own), of(&plain));
+    // Without own templates, a model has seen the other visits of the person that it predicts.
+    assert!(of(&own) < 0.8 * of(&plain), "{} {}", of(&own), of(&plain));
     // They are found again, and made again to the bit if they are lost.
     let before: Vec<_> = (0..VISITS).map(|visit| own.record([3, visit])).collect();
     let again = joint(Visits::OwnTemplate);

@@ -16,7 +16,9 @@ use homolog_study::findings::{Findings, find};
 use homolog_study::folder::{Decision, Folder, read_decisions};
 use homolog_study::output::write;
 use homolog_study::plan::Study;
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{
+    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+};
 use homolog_study::sides::template_side;
 use homolog_study::subjects::SubjectOutcome;
 use std::collections::BTreeSet;
@@ -84,6 +86,10 @@ pub(super) struct StudyArgs {
     /// together under a model of the group (joint)
     #[arg(long, value_name = "pairs|joint", default_value = Correspondence::ALL[0].name(), value_parser = PossibleValuesParser::new(Correspondence::ALL.map(Correspondence::name)))]
     correspondence: String,
+    /// How visits of one person are matched: each with the template of the group (group-template), or through a template of
+    /// the person that is made from its visits, which takes out of its changes the error of matching two persons (own-template)
+    #[arg(long, value_name = "group-template|own-template", default_value = Visits::ALL[0].option(), value_parser = PossibleValuesParser::new(Visits::ALL.map(Visits::option)))]
+    visits: String,
     /// Number of subjects among which the consistency of maps is measured, at three matches each; 0: not measured
     #[arg(long, value_name = "N", default_value_t = 0)]
     cycles: usize,
@@ -207,6 +213,7 @@ fn asked(args: &StudyArgs, given: &Path) -> Result<Asked, CliError> {
         template_side: args.template_side.as_deref().and_then(BodySide::of_name),
         size: if args.without_size { Size::Removed } else { Size::Kept },
         correspondence: Correspondence::of_name(&args.correspondence).unwrap_or_default(),
+        visits: Visits::of_name(&args.visits).unwrap_or_default(),
         analysis,
         cycle_subjects: args.cycles,
         cycle_ring: Vec::new(),

@@ -8,10 +8,11 @@ use clap::builder::PossibleValuesParser;
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::LabelChoice;
 use homolog_study::StudyError;
+use homolog_study::adjustment::Adjustment;
 use homolog_study::folder::{Folder, read_decisions};
 use homolog_study::plan::Study;
-use homolog_study::score::{NewSubject, ScoreSummary, Subgroup, SubjectScore, add, score};
-use std::collections::BTreeSet;
+use homolog_study::score::{NewSubject, Reference, ScoreSummary, Subgroup, SubjectScore, add, score};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Score a new subject against the group of a study
@@ -33,6 +34,12 @@ pub(super) struct ScoreArgs {
     /// The group: members with this level of a covariate, such as group=control; default: all
     #[arg(long, value_name = "COVARIATE=LEVEL")]
     group: Option<String>,
+    /// Covariates of the study to adjust for: the subject is compared with the prediction at its own values
+    #[arg(long, value_name = "COVARIATE", value_delimiter = ',')]
+    adjust: Vec<String>,
+    /// The value of the subject of a covariate to adjust for, such as age=71.5; once for each
+    #[arg(long, value_name = "COVARIATE=VALUE")]
+    covariate: Vec<String>,
     /// Side of the body of the subject, if the study has sides
     #[arg(long, value_name = "left|right", value_parser = PossibleValuesParser::new(["left", "right"]))]
     side: Option<String>,
@@ -52,9 +59,10 @@ pub(super) fn run(args: &ScoreArgs) -> Result<(), CliError> {
     let within = args.group.as_ref().map(|text| {
         Subgroup::read(text).ok_or_else(|| CliError::BadInput(format!("--group {text}: write COVARIATE=LEVEL")))
     });
-    let within = within.transpose()?;
+    let reference = Reference { within: within.transpose()?, adjustment: adjustment(args)? };
     let document = document(&args.study.join("study.json"))?;
     let (mut cohort, mut settings) = (document.cohort, document.settings);
+    reference.adjustment.check(&cohort).map_err(said)?;
     let unreadable =
         |error: std::io::Error| CliError::BadInput(format!("cannot read {}: {error}", args.subject.display()));
     let file = std::path::absolute(&args.subject).map_err(unreadable)?;
@@ -80,7 +88,7 @@ pub(super) fn run(args: &ScoreArgs) -> Result<(), CliError> {
         };
         let mut study = Study::open(cohort, settings, &document.hashes, &folder, &watcher)?;
         let matched = study.match_all(&folder, threads, &watcher)?;
-        score(&study, &matched, &folder, &decisions, (k, within.as_ref()), &watcher)
+        score(&study, &matched, &folder, &decisions, (k, &reference), &watcher)
     });
     drop(watcher);
     let found = done.map_err(said)?;
@@ -89,6 +97,21 @@ pub(super) fn run(args: &ScoreArgs) -> Result<(), CliError> {
     print(&summary(&found.summary))?;
     note(&format!("written to {}", out.display()));
     Ok(())
+}
+
+/// The covariates to adjust for, with the values of the subject.
+fn adjustment(args: &ScoreArgs) -> Result<Adjustment, CliError> {
+    let mut values = BTreeMap::new();
+    for text in &args.covariate {
+        let Some((name, value)) = text.split_once('=').filter(|(name, value)| !name.is_empty() && !value.is_empty())
+        else {
+            return Err(CliError::BadInput(format!("--covariate {text}: write COVARIATE=VALUE")));
+        };
+        if values.insert(name.to_owned(), value.to_owned()).is_some() {
+            return Err(CliError::BadInput(format!("--covariate {name} is given twice; give it once")));
+        }
+    }
+    Ok(Adjustment { covariates: args.adjust.clone(), values })
 }
 
 /// The file's name up to its first dot.
@@ -124,6 +147,11 @@ fn summary(found: &ScoreSummary) -> String {
             100.0 * found.calibration.beyond_1_96
         ),
     ];
+    if let Some(of) = &found.adjusted {
+        let values = of.covariates.iter().map(|(name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(", ");
+        lines.insert(1, format!("adjusted to {values}; {} degrees of freedom", of.degrees));
+        lines.extend(of.warnings.iter().map(|warning| format!("warning: {warning}")));
+    }
     for region in &found.regions {
         let [x, y, z] = region.peak_mm;
         lines.push(format!(

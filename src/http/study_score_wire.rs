@@ -2,9 +2,10 @@
 
 use super::input_wire::{SubmittedInputDocument, input};
 use super::strict_json::SentTags;
-use super::study_wire::labels;
+use super::study_wire::{CovariateValue, Covariates, labels};
 use crate::jobs::documents::{BodySide, LabelChoice};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
 /// A subject to be scored against a study.
@@ -17,6 +18,15 @@ pub(crate) struct ScoreSubmissionDocument {
     /// The group: members of the model with one level of a covariate; all members if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) group: Option<ScoreGroupDocument>,
+    /// Covariates of the study to adjust for: the group is regressed on them, and the subject compared with the prediction at
+    /// its own `covariates`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schema(max_items = 256)]
+    pub(crate) adjust: Vec<String>,
+    /// The values of the subject, a number or a level for each covariate that is adjusted for.
+    #[serde(default, skip_serializing_if = "Covariates::is_empty")]
+    #[schema(value_type = BTreeMap<String, CovariateValue>, required = false)]
+    pub(crate) covariates: Covariates,
     /// On which side of the body it lies; needed if the study has sides.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) side: Option<BodySide>,
@@ -75,6 +85,9 @@ pub(crate) struct StudyScoreDocument {
     pub(crate) commit: String,
     /// The group; absent or `null`: all members of the model.
     pub(crate) within: Option<ScoreGroupDocument>,
+    /// The adjustment for covariates; absent without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) adjusted: Option<ScoreAdjustmentDocument>,
     /// Members of the group.
     pub(crate) members: u32,
     /// Whether no reason was found to doubt the match; `null` for methods that do not judge.
@@ -97,10 +110,26 @@ pub(crate) struct StudyScoreDocument {
     pub(crate) calibration: ScoreCalibrationDocument,
     /// Regions of vertices beyond the bound in one direction, the largest score first.
     pub(crate) regions: Vec<ScoreRegionDocument>,
-    /// Score at each vertex of the template; positive where the subject lies further out than the mean of the group.
+    /// Score at each vertex of the template; positive where the subject lies further out than the mean of the group, or than the
+    /// prediction at its covariates.
     pub(crate) scores: Vec<f64>,
-    /// Deviation from the mean of the group along the outward normal at each vertex, mm.
+    /// Deviation from this mean or prediction along the outward normal at each vertex, mm.
     pub(crate) deviation_mm: Vec<f64>,
+}
+
+/// An adjustment of a score for covariates.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, ToSchema)]
+pub(crate) struct ScoreAdjustmentDocument {
+    /// The value of each covariate for the subject, as text.
+    pub(crate) covariates: BTreeMap<String, String>,
+    /// Members that are left out because such a value is missing.
+    pub(crate) incomplete: u32,
+    /// Degrees of freedom of the residuals.
+    pub(crate) degrees: f64,
+    /// Leverage of the subject: 1/n in the middle of the group, and larger away from it.
+    pub(crate) leverage: f64,
+    /// Covariates of the subject that lie outside of the range of the group.
+    pub(crate) warnings: Vec<String>,
 }
 
 /// A bound of the largest score.

@@ -55,6 +55,10 @@ submission_document! {
         /// model of the group; `pairs` if absent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         pub(crate) correspondence: Option<String>,
+        /// What visits, subjects with one `subject` and side, are matched with: `group_template`, the template, each separately, or
+        /// `own_template`, a template of the person that is made from its visits; `group_template` if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pub(crate) visits: Option<String>,
         /// Subjects among which the consistency of maps is measured, at three matches each; not measured if absent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schema(maximum = 1000)]
@@ -97,6 +101,7 @@ impl StudySubmissionDocument {
             template_rounds: self.template_rounds,
             without_size: self.without_size,
             correspondence: self.correspondence.clone(),
+            visits: self.visits.clone(),
             cycles: self.cycles.unwrap_or(0),
             effect: self.effect.clone(),
             adjust: self.adjust.clone(),
@@ -249,6 +254,13 @@ pub(crate) enum CovariateValue {
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub(crate) struct Covariates(pub(crate) BTreeMap<String, String>);
+
+impl Covariates {
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
 
 impl<'de> Deserialize<'de> for Covariates {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -33,6 +33,8 @@ pub enum ArtifactKind {
     StudyTemplate,
     /// How that template was made, JSON; from then on it is kept.
     StudyKept,
+    /// The templates of persons that the missing matches need, PLY files one after the other.
+    StudyOwnTemplates,
     /// A study and its figures, JSON.
     StudyDocument,
     /// A page about a study.
@@ -58,6 +60,7 @@ impl ArtifactKind {
             ArtifactKind::StudyPlan => "study_plan",
             ArtifactKind::StudyTemplate => "study_template",
             ArtifactKind::StudyKept => "study_kept",
+            ArtifactKind::StudyOwnTemplates => "study_own_templates",
             ArtifactKind::StudyDocument => "study_document",
             ArtifactKind::StudyReport => "study_report",
             ArtifactKind::StudyArchive => "study_archive",

@@ -37,6 +37,12 @@ pub struct ScoreQuestions {
     /// The covariate and the level of the group; `None`: all members of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub group: Option<(String, String)>,
+    /// Covariates of the study that are adjusted for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub adjust: Vec<String>,
+    /// The values of these covariates, as text; numbers as they were written.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub covariates: BTreeMap<String, String>,
 }
 
 /// Names of the blobs of a study. What begins with `matches/` or `template/` is a file of its folder.
@@ -135,6 +141,9 @@ pub struct StudyQuestions {
     /// Origin of the maps, by name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub correspondence: Option<String>,
+    /// What visits of one person are matched with, by name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub visits: Option<String>,
     /// Subjects among which the consistency of maps is measured.
     pub cycles: u32,
     /// The covariate of interest.
@@ -221,6 +230,7 @@ impl StudyDefinition {
             file_bytes: inputs().map(|input| input.n_bytes).max().unwrap_or(0),
             has_volumes: inputs().any(is_volume),
             joint: asked.correspondence.as_deref() == Some("joint"),
+            own_templates: asked.visits.as_deref() == Some("own_template"),
         }
     }
 }
@@ -247,6 +257,18 @@ pub struct StudyPlan {
     pub tasks: Vec<PlannedMatch>,
     /// The template.
     pub template: InputSummary,
+    /// The templates of persons, in the order in which their files follow each other.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub own: Vec<PlannedTemplate>,
+}
+
+/// The template of a person.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlannedTemplate {
+    /// Size of its file, bytes.
+    pub n_bytes: u64,
+    /// Its surface.
+    pub surface: InputSummary,
 }
 
 /// A match that is missing.
@@ -258,6 +280,9 @@ pub struct PlannedMatch {
     pub source: Option<usize>,
     /// The subject that stays; `None`: the template.
     pub target: Option<usize>,
+    /// The template of a person that takes part, by its place: it moves onto the subject, or the template onto it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own: Option<usize>,
     /// Whether source and target are mirrored.
     #[serde(default)]
     pub mirrored: [bool; 2],

@@ -7,6 +7,7 @@
 use super::artifact::{ArtifactKey, ArtifactKind, ArtifactRef, BLOB_HOLD};
 use super::error::JobError;
 use super::ids::{JobId, STEP_METHOD, StudyId};
+use super::input_check::InputSummary;
 use super::job::{Failure, JobInput, NewJob, Tenant};
 use super::metadata::{ExternalRef, Tags};
 use super::ports::{ArtifactStore, JobStore};
@@ -19,6 +20,7 @@ use super::study::{
 use super::study_state::StudyState;
 use bytes::Bytes;
 use serde_json::json;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Studies that are looked at in one round.
@@ -41,6 +43,21 @@ pub struct StudyProgression {
     pub signals: Arc<Signals>,
     /// How long results are kept.
     pub retention: Retentions,
+}
+
+/// Templates of persons by their place in a plan: their files, and as inputs of jobs.
+type OwnTemplates = BTreeMap<usize, (Bytes, JobInput)>;
+
+/// A template as an input of a job.
+fn template_input(tenant: &Tenant, bytes: &[u8], surface: &InputSummary) -> JobInput {
+    JobInput {
+        hash: ArtifactKey::of(tenant, bytes).hash().to_owned(),
+        n_bytes: bytes.len() as u64,
+        name_hint: Some(".ply".to_owned()),
+        n_vertices: surface.n_vertices,
+        n_faces: surface.n_faces,
+        report: surface.report.clone(),
+    }
 }
 
 impl StudyProgression {
@@ -224,26 +241,27 @@ impl StudyProgression {
             return Ok(None);
         }
         let bytes = self.artifacts.get(&template.key).await?;
-        let key = ArtifactKey::of(&study.tenant, &bytes);
-        let given = JobInput {
-            hash: key.hash().to_owned(),
-            n_bytes: template.n_bytes,
-            name_hint: Some(".ply".to_owned()),
-            n_vertices: plan.template.n_vertices,
-            n_faces: plan.template.n_faces,
-            report: plan.template.report.clone(),
-        };
+        let given = template_input(&study.tenant, &bytes, &plan.template);
+        let used: BTreeSet<usize> = next.clone().filter_map(|task| task.own).collect();
+        let of_persons = self.own_templates(study, step, &plan, &used).await?;
         let mut jobs = Vec::new();
         {
             let _alone = self.signals.planning.lock().await;
             let definition = self.definition(study).await?;
             for task in next {
-                jobs.push(self.match_job(study, &definition, &given, task)?);
+                jobs.push(self.match_job(study, &definition, (&given, &of_persons), task)?);
             }
         }
         let holder = format!("study:{}:{}", study.id, uuid::Uuid::new_v4());
-        self.jobs.hold_blobs(&holder, std::slice::from_ref(&key), BLOB_HOLD, None).await?;
-        self.artifacts.put(&key, bytes).await?;
+        let files: Vec<(ArtifactKey, Bytes)> = std::iter::once(bytes)
+            .chain(of_persons.into_values().map(|(bytes, _)| bytes))
+            .map(|bytes| (ArtifactKey::of(&study.tenant, &bytes), bytes))
+            .collect();
+        let keys: Vec<ArtifactKey> = files.iter().map(|(key, _)| key.clone()).collect();
+        self.jobs.hold_blobs(&holder, &keys, BLOB_HOLD, None).await?;
+        for (key, bytes) in files {
+            self.artifacts.put(&key, bytes).await?;
+        }
         let n_made = n_made + u32::try_from(jobs.len()).unwrap_or(u32::MAX);
         Ok(Some(StudyChange {
             state: StudyState::Matching,
@@ -256,14 +274,47 @@ impl StudyProgression {
         }))
     }
 
+    /// The templates of persons of a plan at these places: their files, and as inputs of jobs.
+    async fn own_templates(
+        &self,
+        study: &Study,
+        step: JobId,
+        plan: &StudyPlan,
+        used: &BTreeSet<usize>,
+    ) -> Result<OwnTemplates, JobError> {
+        if used.is_empty() {
+            return Ok(OwnTemplates::new());
+        }
+        let corrupt = || JobError::Corrupt { what: "a study's plan", source: None };
+        let found = self.product(study, step, ArtifactKind::StudyOwnTemplates).await?.ok_or_else(corrupt)?;
+        let all = self.artifacts.get(&found.key).await?;
+        let (mut templates, mut begin) = (OwnTemplates::new(), 0);
+        for (place, template) in plan.own.iter().enumerate() {
+            let end = usize::try_from(template.n_bytes).ok().and_then(|n| n.checked_add(begin)).ok_or_else(corrupt)?;
+            if end > all.len() {
+                return Err(corrupt());
+            }
+            if used.contains(&place) {
+                let bytes = all.slice(begin..end);
+                let input = template_input(&study.tenant, &bytes, &template.surface);
+                templates.insert(place, (bytes, input));
+            }
+            begin = end;
+        }
+        if templates.len() == used.len() { Ok(templates) } else { Err(corrupt()) }
+    }
+
     fn match_job(
         &self,
         study: &Study,
         definition: &StudyDefinition,
-        template: &JobInput,
+        (template, of_persons): (&JobInput, &OwnTemplates),
         task: &PlannedMatch,
     ) -> Result<NewJob, JobError> {
-        let input = |side: Option<usize>| match side {
+        let own = task.own.and_then(|place| of_persons.get(&place)).map_or(template, |(_, input)| input);
+        // The template of a person moves onto a subject, or that of the group onto it.
+        let moving = if task.target.is_some() { own } else { template };
+        let input = |side: Option<usize>, template: &JobInput| match side {
             None => Ok(template.clone()),
             Some(k) => match definition.subjects.get(k) {
                 Some(subject) => Ok(subject.input.clone()),
@@ -286,7 +337,7 @@ impl StudyProgression {
             parameters,
             external_ref: ExternalRef::new(id.unwrap_or_default()).ok().flatten(),
             study_task: Some(task.key.clone()),
-            ..self.job(study, input(task.source)?, input(task.target)?)
+            ..self.job(study, input(task.source, moving)?, input(task.target, own)?)
         })
     }
 

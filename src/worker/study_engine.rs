@@ -11,7 +11,7 @@ use super::prediction;
 use super::price::PriceLimit;
 use super::study_demand::{cores, demand_of};
 use crate::jobs::engine::{Answer, Product};
-use crate::jobs::study::{PlannedMatch, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, blob};
+use crate::jobs::study::{PlannedMatch, PlannedTemplate, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, blob};
 use crate::jobs::{
     ArtifactKind, Computation, ComputeError, ComputeInputs, Demand, InputBytes, InputRefusal, InputSummary, InputView,
     JobInput, Purpose, SurfaceSize,
@@ -29,7 +29,7 @@ use homolog_study::memory::{measures, permutations, step_bytes};
 use homolog_study::output::write;
 use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
 use homolog_study::price::step_price;
-use homolog_study::settings::{Correspondence, Measure};
+use homolog_study::settings::{Correspondence, Measure, Visits};
 use homolog_study::sides::template_side;
 use homolog_study::statistics::design::Design;
 use serde::{Deserialize as _, Serialize};
@@ -92,6 +92,9 @@ pub(super) fn check_size(
     let mut pairs = vec![(template, largest)];
     if size.ring > 0 {
         pairs.extend([(largest, template), (largest, largest)]);
+    }
+    if size.own_templates {
+        pairs.push((largest, largest));
     }
     for (source, target) in pairs {
         let checked = homolog_run::check_size(vertices(source), vertices(target).0, &parameters, limits);
@@ -172,6 +175,12 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         let known = Correspondence::ALL.map(Correspondence::name).join(", ");
         faults.push(fault("/correspondence".to_owned(), format!("{shown} is none of {known}")));
     }
+    let visits = definition.questions.visits.as_deref();
+    if let Some(unknown) = visits.filter(|name| Visits::ALL.iter().all(|of| of.name() != *name)) {
+        let shown: String = unknown.chars().take(64).collect();
+        let known = Visits::ALL.map(Visits::name).join(", ");
+        faults.push(fault("/visits".to_owned(), format!("{shown} is none of {known}")));
+    }
     let ids = || definition.subjects.iter().map(|subject| &subject.id);
     if let Some(start) = definition.questions.start.as_ref().filter(|start| !ids().any(|id| id == *start)) {
         let shown: String = start.chars().take(64).collect();
@@ -203,8 +212,8 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
     let watcher = Watched(observer);
     let OpenedStudy { mut study, folder, decisions } = opened(material, false, &watcher)?;
     match study.advance(&folder, &watcher)? {
-        Step::Match { purpose, template, tasks, finished } => {
-            planned(&study, &folder, purpose, &template, &tasks, finished)
+        Step::Match { purpose, template, tasks, finished, own } => {
+            planned(&study, &folder, purpose, (&template, &own), &tasks, finished)
         }
         Step::Matched(matched) => {
             let found = find(&study, &matched, &folder, &decisions, &watcher)?;
@@ -219,23 +228,33 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
     }
 }
 
-fn planned(
-    study: &Study,
-    folder: &Folder,
-    purpose: Matching,
-    template: &Template,
-    tasks: &[Task],
-    finished: usize,
-) -> Result<Vec<Product>, StudyError> {
+/// What a check of a template as an upload would say.
+fn summary(study: &Study, template: &Template) -> Result<InputSummary, StudyError> {
     let input = study.settings.parameters.input.of_source();
     let prepared = prepare_surface(&template.ply, Some(&file_name(".ply")), &input, &IntakeLimits::default());
     let prepared = prepared
         .map_err(|error| StudyError::Start { what: "its template".to_owned(), why: error.for_command_line() })?;
     let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+    Ok(InputSummary {
+        n_vertices: number(prepared.mesh.n_vertices()),
+        n_faces: number(prepared.mesh.n_faces()),
+        report: serde_json::to_value(&prepared.report).unwrap_or_default(),
+    })
+}
+
+fn planned(
+    study: &Study,
+    folder: &Folder,
+    purpose: Matching,
+    (template, own): (&Template, &[Template]),
+    tasks: &[Task],
+    finished: usize,
+) -> Result<Vec<Product>, StudyError> {
+    let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     let plan = StudyPlan {
         round: match purpose {
             Matching::Template(round) => number(round),
-            Matching::Subjects => 0,
+            Matching::Visits(_) | Matching::Subjects => 0,
         },
         finished: number(finished),
         tasks: tasks
@@ -244,19 +263,24 @@ fn planned(
                 key: task.key.clone(),
                 source: task.source,
                 target: task.target,
+                own: task.own,
                 mirrored: study.mirrored(task),
             })
             .collect(),
-        template: InputSummary {
-            n_vertices: number(prepared.mesh.n_vertices()),
-            n_faces: number(prepared.mesh.n_faces()),
-            report: serde_json::to_value(&prepared.report).unwrap_or_default(),
-        },
+        template: summary(study, template)?,
+        own: own
+            .iter()
+            .map(|of| Ok(PlannedTemplate { n_bytes: of.ply.len() as u64, surface: summary(study, of)? }))
+            .collect::<Result<_, StudyError>>()?,
     };
     let mut products = vec![
         Product { kind: ArtifactKind::StudyPlan, bytes: json(&plan)? },
         Product { kind: ArtifactKind::StudyTemplate, bytes: template.ply.clone() },
     ];
+    if !own.is_empty() {
+        let bytes = own.iter().flat_map(|of| of.ply.iter().copied()).collect();
+        products.push(Product { kind: ArtifactKind::StudyOwnTemplates, bytes });
+    }
     let kept = folder.read(blob::KEPT)?;
     products.extend(kept.map(|bytes| Product { kind: ArtifactKind::StudyKept, bytes }));
     Ok(products)

@@ -16,11 +16,12 @@ use homolog_contract::study::StudySize;
 use homolog_primitives::observe::Observer;
 use homolog_run::SurfaceCache;
 use homolog_study::StudyError;
+use homolog_study::adjustment::Adjustment;
 use homolog_study::folder::record_name;
 use homolog_study::matching::StudyObserver;
-use homolog_study::plan::{Records as _, Step, Task};
+use homolog_study::plan::{Purpose as Matching, Records as _, Step, Task};
 use homolog_study::record::Record;
-use homolog_study::score::{NewSubject, Subgroup, add, check_group, score};
+use homolog_study::score::{NewSubject, Reference, Subgroup, add, check_group, score};
 use serde::Deserialize as _;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -28,6 +29,8 @@ use std::sync::Arc;
 
 /// The part of a job's work that the match is.
 const MATCH_SHARE: f64 = 0.7;
+/// Memory of an adjustment for each vertex of each subject, bytes.
+const RESIDUALS: u64 = 36;
 
 /// The score of a new subject.
 #[derive(Debug)]
@@ -63,9 +66,12 @@ impl ScoreStep {
     }
 }
 
-/// The group of a score.
-fn within(asked: &ScoreQuestions) -> Option<Subgroup> {
-    asked.group.clone().map(|(covariate, level)| Subgroup { covariate, level })
+/// What the subject is compared with.
+fn reference(asked: &ScoreQuestions) -> Reference {
+    Reference {
+        within: asked.group.clone().map(|(covariate, level)| Subgroup { covariate, level }),
+        adjustment: Adjustment { covariates: asked.adjust.clone(), values: asked.covariates.clone() },
+    }
 }
 
 /// Checks what is asked, but not the file.
@@ -79,7 +85,11 @@ pub(super) fn check(definition: &StudyDefinition, asked: &ScoreQuestions) -> Res
     };
     let mut cohort = cohort(definition).map_err(|error| fault("", &error))?;
     let mut settings = settings(definition).map_err(|error| fault("", &error))?;
-    check_group(&cohort, within(asked).as_ref()).map_err(|error| fault("/group", &error))?;
+    let reference = reference(asked);
+    check_group(&cohort, reference.within.as_ref()).map_err(|error| fault("/group", &error))?;
+    let is_known = asked.adjust.iter().all(|name| cohort.covariate(name).is_some());
+    let place = if is_known { "/covariates" } else { "/adjust" };
+    reference.adjustment.check(&cohort).map_err(|error| fault(place, &error))?;
     let new = NewSubject { file: PathBuf::new(), side: asked.side, labels: None };
     add(&mut cohort, &mut settings, new).map_err(|error| fault("/side", &error))?;
     Ok(())
@@ -100,9 +110,12 @@ impl Computation for ScoreStep {
         let template = SurfaceSize { n_vertices: number(self.size.vertices), n_faces: number(self.size.faces) };
         let of_match = predict(&self.parameters, template, subject);
         let of_step = demand_of(&StudySize { contrasts: 0, permutations: Some(0), ..self.size });
+        // The residuals of all members, of values and of shapes.
+        let of_residuals = if self.asked.adjust.is_empty() { 0 } else { RESIDUALS };
+        let of_residuals = self.size.subjects.saturating_mul(self.size.vertices).saturating_mul(of_residuals);
         Demand {
             cores: of_match.cores.max(of_step.cores),
-            memory_bytes: of_match.memory_bytes.saturating_add(of_step.memory_bytes),
+            memory_bytes: of_match.memory_bytes.saturating_add(of_step.memory_bytes).saturating_add(of_residuals),
             processor_time: of_match.processor_time + of_step.processor_time,
         }
     }
@@ -129,12 +142,12 @@ fn scored(
     let k = study.cohort.subjects.len() - 1;
     let surfaces = SurfaceCache::new(0);
     let mut step = study.advance(&folder, &watcher)?;
-    if let Step::Match { template, tasks, .. } = &step {
+    while let Step::Match { purpose: Matching::Visits(_) | Matching::Subjects, template, tasks, own, .. } = &step {
         // Whatever else is missing was removed since: its subject has no match, as in a study without it.
         let is_own = |task: &Task| task.target == Some(k) && task.source.is_none();
         for task in tasks {
             let record = match is_own(task) {
-                true => study.compute(task, template, &surfaces, &folder, &watcher)?,
+                true => study.compute(task, (template, own), &surfaces, &folder, &watcher)?,
                 false => Record::failed("the match was removed".to_owned()),
             };
             folder.keep(&task.key, &record)?;
@@ -149,7 +162,7 @@ fn scored(
     if watcher.is_interrupted() {
         return Err(StudyError::Interrupted);
     }
-    let found = score(&study, &matched, &folder, &decisions, (k, within(asked).as_ref()), &watcher)?;
+    let found = score(&study, &matched, &folder, &decisions, (k, &reference(asked)), &watcher)?;
     let bytes = serde_json::to_vec(&found.document(env!("HOMOLOG_COMMIT")))
         .map_err(|error| StudyError::Internal(format!("a score cannot be written: {error}")))?;
     Ok(Product { kind: ArtifactKind::StudyScore, bytes })

@@ -29,4 +29,7 @@ pub struct StudySize {
     /// Whether maps are revised together.
     #[cfg_attr(feature = "serde", serde(default))]
     pub joint: bool,
+    /// Whether persons with several visits have templates of their own.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
+    pub own_templates: bool,
 }

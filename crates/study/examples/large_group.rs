@@ -13,7 +13,7 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
 use nalgebra::{Point3, Vector3};
 use rand_core::Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -52,6 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         template_side: None,
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
+        visits: Visits::default(),
         analysis: Analysis {
             effect: Some("group".to_owned()),
             measures: vec![Measure::NormalDisplacement],

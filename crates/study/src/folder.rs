@@ -21,7 +21,8 @@ use std::path::Path;
 use std::sync::atomic::AtomicU64;
 
 /// Subfolders; the first is the folder itself.
-const PARTS: [&str; 8] = ["", "matches", "matches/joint", "template", "modes", "maps", "subjects", "labels"];
+const PARTS: [&str; 9] =
+    ["", "matches", "matches/joint", "matches/visits", "template", "modes", "maps", "subjects", "labels"];
 
 /// A study's folder.
 #[derive(Debug)]

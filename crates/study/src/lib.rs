@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod adjustment;
 pub mod align;
 pub mod average;
 pub mod cohort;
@@ -27,5 +28,6 @@ pub mod sides;
 pub mod statistics;
 pub mod storage;
 pub mod subjects;
+pub mod visits;
 
 pub use error::StudyError;

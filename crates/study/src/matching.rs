@@ -107,7 +107,10 @@ impl Study {
                 }
             }
         };
-        Ok(Study { cohort, settings, hashes: found, first, kept: making, makers, ring })
+        let persons = Vec::new();
+        let mut study = Study { cohort, settings, hashes: found, first, kept: making, makers, ring, persons };
+        study.find_persons(folder, watcher)?;
+        Ok(study)
     }
 
     /// Computes every missing match on `threads` threads, and stores each when it is finished. Returns when all matches
@@ -125,9 +128,10 @@ impl Study {
         loop {
             match self.advance(folder, watcher)? {
                 Step::Matched(matched) => return Ok(*matched),
-                Step::Match { purpose, template, tasks, finished } => {
+                Step::Match { purpose, template, tasks, finished, own } => {
                     let what = match purpose {
                         Purpose::Template(round) => format!("template, round {round}"),
+                        Purpose::Visits(round) => format!("templates of persons, step {round} of 3"),
                         Purpose::Subjects => "matching".to_owned(),
                     };
                     let all = finished + tasks.len();
@@ -139,7 +143,7 @@ impl Study {
                     };
                     watcher.progress(&what, finished, all);
                     each(&tasks, threads, &|task| {
-                        let record = self.compute(task, &template, &surfaces, folder, watcher)?;
+                        let record = self.compute(task, (&template, &own), &surfaces, folder, watcher)?;
                         folder.keep(&task.key, &record)?;
                         done();
                         Ok(())
@@ -150,20 +154,23 @@ impl Study {
     }
 
     /// The next step, given the existing records. A finished template is stored, so that a subject added later costs
-    /// one match.
+    /// one match. With all matches, the maps of visits whose person has its own template are composed and stored.
     ///
     /// # Errors
     /// Errors of [`Study::next`], and [`StudyError::File`].
     pub fn advance(&mut self, folder: &Folder, watcher: &dyn StudyObserver) -> Result<Step, StudyError> {
         let observer = Interruption(watcher);
-        let step = self.next(folder, &observer)?;
+        let mut step = self.next(folder, &observer)?;
+        if let Step::Matched(matched) = &mut step {
+            self.compose(matched, folder, &observer)?;
+        }
         if self.kept.is_some() {
             return Ok(step);
         }
         let making = match &step {
             Step::Matched(matched) => matched.making.clone(),
             Step::Match { purpose: Purpose::Template(_), .. } => return Ok(step),
-            Step::Match { purpose: Purpose::Subjects, template, .. } => {
+            Step::Match { purpose: Purpose::Subjects | Purpose::Visits(_), template, .. } => {
                 let given = || TemplateHistory { template: (**template).clone(), rounds: Vec::new() };
                 self.making(folder, &observer)?.unwrap_or_else(given)
             }
@@ -192,14 +199,14 @@ impl Study {
         Ok(())
     }
 
-    /// Computes one match.
+    /// Computes one match of a step, which has these templates: that of the group, and those of persons.
     ///
     /// # Errors
     /// [`StudyError::File`], [`StudyError::Changed`] and [`StudyError::Interrupted`].
     pub fn compute(
         &self,
         task: &Task,
-        template: &Template,
+        (template, own): (&Template, &[Template]),
         surfaces: &SurfaceCache,
         folder: &Folder,
         watcher: &dyn StudyObserver,
@@ -218,11 +225,12 @@ impl Study {
         };
         let (source, target) = (bytes(task.source)?, bytes(task.target)?);
         let (source, target) = (source.as_deref(), target.as_deref());
-        let input = |side: Option<usize>, bytes| match (side, bytes) {
-            (Some(k), Some(bytes)) => InputFile { bytes, name: name(&self.cohort.subjects[k].file) },
-            _ => InputFile { bytes: &template.ply, name: None },
-        };
-        let (source, target) = (input(task.source, source), input(task.target, target));
+        let own = task.own.and_then(|k| own.get(k)).unwrap_or(template);
+        // The template of a person moves onto a subject, or that of the group onto it.
+        let moving = if task.target.is_some() { own } else { template };
+        let file = |side: Option<usize>| side.and_then(|k| name(&self.cohort.subjects[k].file));
+        let source = InputFile { bytes: source.unwrap_or(&moving.ply), name: file(task.source) };
+        let target = InputFile { bytes: target.unwrap_or(&own.ply), name: file(task.target) };
         compute(surfaces, source, target, &self.parameters(task), &Interruption(watcher)).ok_or(StudyError::Interrupted)
     }
 }

@@ -61,15 +61,19 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     // Per array value: 8 bytes, and 4 in base64.
     let array = 14 * v;
 
-    // The records, as read and in the folder; those of the ring are four matches each, joint maps have their own.
+    // The records, as read and in the folder; those of the ring are four matches each, joint maps have their own. A visit of
+    // a person with a template has up to three matches and a map besides, and a joint one.
     let joint_maps = if size.joint { n } else { 0 };
-    let records = times(&[2, sum(&[n, joint_maps, times(&[4, size.ring])]), 12 * v + 1024]);
+    let of_visits = if size.own_templates { times(&[4, n]) } else { 0 };
+    let records = times(&[2, sum(&[n, joint_maps, of_visits, times(&[4, size.ring])]), 12 * v + 1024]);
     let table = sum(&[times(&[n, SUBJECT]), times(&[size.cells, CELL])]);
     // The template as read, as matched, as written, and in the findings; the mean; weights, areas, normals, the graph.
     let surfaces = times(&[12, surface]) + 300 * v;
     // Per thread: a record and its points, the surface deformed onto a subject, and its index of closest points.
     let of_threads = times(&[t, SCRATCH + 120 * v + 3 * surface + 160 * f + times(&[6, volume_bytes(size)])]);
-    let held = sum(&[records, table, surfaces]);
+    // The surfaces that templates of persons are made from, and such templates of a part of a step, with their files.
+    let persons = if size.own_templates { times(&[n, 2, surface + 40 * v]) } else { 0 };
+    let held = sum(&[records, table, surfaces, persons]);
 
     let aligned = times(&[ALIGNED.min(n), 60 * v]);
     // A block twice; the matrix of inner products, its parts and components, and on each thread those without some

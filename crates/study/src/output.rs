@@ -10,7 +10,7 @@ use crate::matching::{Interruption, StudyObserver};
 use crate::plan::{Round, Study};
 use crate::quality::most_urgent_first;
 use crate::report::{MODE_DEVIATIONS, page, plots, significant_share};
-use crate::settings::{Measure, Settings};
+use crate::settings::{Measure, Settings, Visits};
 use crate::subjects::SubjectOutcome;
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::csv_cell::text_cell;
@@ -136,7 +136,7 @@ pub fn write(
         decisions: decisions.to_vec(),
         template: found.matched.making.template.hash.clone(),
         rounds: found.matched.making.rounds.clone(),
-        found: figures(found),
+        found: figures(study, found),
     };
     // Written last: its presence means that all files are complete.
     folder.write("study.json", &json(&document))
@@ -403,7 +403,7 @@ fn effect_table(found: &Findings) -> String {
 }
 
 /// The main figures of `study.json`.
-fn figures(found: &Findings) -> serde_json::Value {
+fn figures(study: &Study, found: &Findings) -> serde_json::Value {
     let places = |place: SubjectOutcome| found.subjects.iter().filter(|subject| subject.place == place).count();
     let quality = &found.model.quality;
     let maps: Vec<_> = found
@@ -431,7 +431,7 @@ fn figures(found: &Findings) -> serde_json::Value {
     });
     let whole: Vec<_> = found.statistics.iter().flat_map(|statistics| &statistics.whole).collect();
     let planning: Vec<_> = found.statistics.iter().flat_map(|statistics| &statistics.planning).collect();
-    serde_json::json!({
+    let mut summary = serde_json::json!({
         "subjects": {
             "model": places(SubjectOutcome::Model),
             "scored": places(SubjectOutcome::Scored),
@@ -452,5 +452,10 @@ fn figures(found: &Findings) -> serde_json::Value {
         "maps": maps,
         "effects": whole,
         "planning": planning,
-    })
+    });
+    if study.settings.visits == Visits::OwnTemplate {
+        let (own, persons) = (found.matched.own.len(), study.persons.len());
+        summary["own_templates"] = serde_json::json!({"persons": own, "matched_directly": persons - own});
+    }
+    summary
 }

@@ -11,6 +11,7 @@ use crate::cohort::{Cohort, Role};
 use crate::error::StudyError;
 use crate::record::Record;
 use crate::settings::{MadeTemplate, Settings, Size, TemplateChoice};
+use crate::visits::{OwnMaps, Person, PersonsState};
 use homolog_contract::parameters::{InputParameters, LabelChoice, MatchParameters};
 use homolog_formats::ply::write_ply;
 use homolog_mesh::{SurfaceMesh, repair};
@@ -76,10 +77,20 @@ pub struct Round {
 pub struct Task {
     /// Name of the record: a hash of both files, the parameters and the version of the program, 64 hexadecimal digits.
     pub key: String,
-    /// The subject whose surface moves; `None` for the template of the step.
+    /// The subject whose surface moves; `None` for a template.
     pub source: Option<usize>,
-    /// The subject that stays; `None` for the template.
+    /// The subject that stays; `None` for a template.
     pub target: Option<usize>,
+    /// The template of a person, as an index into those of the step, that takes part: it moves onto a subject, or the
+    /// template of the group onto it. `None` if the template of the group is the only one.
+    pub own: Option<usize>,
+}
+
+impl Task {
+    /// The match of the template of the group to one of a person, without its key.
+    pub(crate) fn between_templates(own: usize) -> Self {
+        Task { key: String::new(), source: None, target: None, own: Some(own) }
+    }
 }
 
 /// Next step of a study.
@@ -93,8 +104,10 @@ pub enum Step {
         template: Box<Template>,
         /// The matches, in the order of the cohort.
         tasks: Vec<Task>,
-        /// Number of existing matches for this purpose.
+        /// Number of existing matches for this purpose; of persons, for those whose templates are in `own`.
         finished: usize,
+        /// The templates of persons of the tasks.
+        own: Vec<Template>,
     },
     /// All matches exist.
     Matched(Box<Matched>),
@@ -105,6 +118,9 @@ pub enum Step {
 pub enum Purpose {
     /// A round of the template, from 1.
     Template(usize),
+    /// Templates of persons with several visits: one visit with the others (1), their first means with all visits (2), the
+    /// template of the group with their last means (3).
+    Visits(usize),
     /// Every subject with the template, and the matches that measure consistency.
     Subjects,
 }
@@ -114,8 +130,11 @@ pub enum Purpose {
 pub struct Matched {
     /// The template, and its making.
     pub making: TemplateHistory,
-    /// Key of the match of the template to each subject.
+    /// Key of the map of the template to each subject: its match, or for visits of a person with its own template the
+    /// composition that [`Study::advance`] makes.
     pub keys: Vec<String>,
+    /// The maps of persons with templates of their own.
+    pub own: Vec<OwnMaps>,
     /// Keys of the matches that measure consistency.
     pub cycles: Cycles,
 }
@@ -161,6 +180,8 @@ pub struct Study {
     pub makers: Vec<usize>,
     /// The subjects used to measure consistency; it is not measured with fewer than 3.
     pub ring: Vec<usize>,
+    /// The persons with several visits, if these get templates of their own.
+    pub persons: Vec<Person>,
 }
 
 /// The parameters by which the file of a subject with these labels is read.
@@ -193,7 +214,7 @@ pub fn surface(bytes: &[u8], name: Option<&str>, parameters: &InputParameters) -
 }
 
 impl Study {
-    fn key(&self, [source, target]: [&str; 2], task: &Task) -> String {
+    pub(crate) fn key(&self, [source, target]: [&str; 2], task: &Task) -> String {
         let mut hasher = blake3::Hasher::new();
         let parameters = serde_json::to_string(&self.settings.parameters).unwrap_or_default();
         for part in [env!("CARGO_PKG_VERSION"), source, target, &parameters] {
@@ -210,9 +231,10 @@ impl Study {
         hasher.finalize().to_hex().to_string()
     }
 
-    fn task(&self, template: &Template, source: Option<usize>, target: Option<usize>) -> Task {
-        let hash = |side: Option<usize>| side.map_or(template.hash.as_str(), |k| self.hashes[k].as_str());
-        let task = Task { key: String::new(), source, target };
+    /// The match of two subjects, or of one with the template that has this hash.
+    pub(crate) fn task(&self, template: &str, source: Option<usize>, target: Option<usize>) -> Task {
+        let hash = |side: Option<usize>| side.map_or(template, |k| self.hashes[k].as_str());
+        let task = Task { key: String::new(), source, target, own: None };
         Task { key: self.key([hash(source), hash(target)], &task), ..task }
     }
 
@@ -259,18 +281,24 @@ impl Study {
             },
         };
         let template = &making.template;
+        let own = match self.own_maps(template, records, observer)? {
+            PersonsState::Ready(own) => own,
+            PersonsState::Missing(step) => return Ok(step),
+        };
         let mut tasks: Vec<Task> =
-            (0..self.cohort.subjects.len()).map(|k| self.task(template, None, Some(k))).collect();
+            (0..self.cohort.subjects.len()).map(|k| self.task(&template.hash, None, Some(k))).collect();
         let keys = tasks.iter().map(|task| task.key.clone()).collect();
+        let composed: HashSet<usize> = own.iter().flat_map(|of| self.persons[of.person].visits.clone()).collect();
+        tasks.retain(|task| task.target.is_none_or(|k| !composed.contains(&k)));
         let cycles = self.cycles(template, &mut tasks);
         let mut tasks = distinct(tasks);
         let n = tasks.len();
         tasks.retain(|task| !records.has(&task.key));
         if tasks.is_empty() {
-            return Ok(Step::Matched(Box::new(Matched { making, keys, cycles })));
+            return Ok(Step::Matched(Box::new(Matched { making, keys, own, cycles })));
         }
         let (finished, template) = (n - tasks.len(), Box::new(making.template));
-        Ok(Step::Match { purpose: Purpose::Subjects, template, tasks, finished })
+        Ok(Step::Match { purpose: Purpose::Subjects, template, tasks, finished, own: Vec::new() })
     }
 
     /// The template made from the existing records; `None` if matches for it are missing, or if it is given.
@@ -297,14 +325,14 @@ impl Study {
     ) -> Result<TemplateState, StudyError> {
         let (mut template, mut rounds) = (self.first.clone(), Vec::new());
         while rounds.len() < how.max_rounds.max(1) {
-            let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template, None, Some(k))).collect();
+            let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template.hash, None, Some(k))).collect();
             let mut tasks = distinct(all.clone());
             let n = tasks.len();
             tasks.retain(|task| !records.has(&task.key));
             if !tasks.is_empty() {
                 let finished = n - tasks.len();
                 let purpose = Purpose::Template(rounds.len() + 1);
-                let step = Step::Match { purpose, template: Box::new(template), tasks, finished };
+                let step = Step::Match { purpose, template: Box::new(template), tasks, finished, own: Vec::new() };
                 return Ok(TemplateState::Missing(step));
             }
             let (next, round) = averaged(&template, &all, records, observer)?;
@@ -326,7 +354,7 @@ impl Study {
         let ring = self.ring.clone();
         let next = |k: usize| ring[(k + 1) % ring.len()];
         let mut add = |source: Option<usize>, target: Option<usize>| {
-            let task = self.task(template, source, target);
+            let task = self.task(&template.hash, source, target);
             if !tasks.contains(&task) {
                 tasks.push(task.clone());
             }
@@ -346,7 +374,7 @@ enum TemplateState {
 }
 
 /// The tasks without duplicates: subjects with equal files share a record.
-fn distinct(mut tasks: Vec<Task>) -> Vec<Task> {
+pub(crate) fn distinct(mut tasks: Vec<Task>) -> Vec<Task> {
     let mut seen = HashSet::new();
     tasks.retain(|task| seen.insert(task.key.clone()));
     tasks

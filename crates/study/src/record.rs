@@ -60,6 +60,11 @@ pub struct Facts {
 pub struct NoRecord;
 
 impl Record {
+    /// Whether it maps a surface with this number of vertices.
+    pub(crate) fn is_map_of(&self, n_vertices: usize) -> bool {
+        self.facts.error.is_none() && self.points.len() == n_vertices
+    }
+
     /// The bytes of the record; equal records have equal bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
         let facts = serde_json::to_vec(&self.facts).unwrap_or_default();

@@ -4,7 +4,8 @@
 //! The subject joins the study with the role `score`, so it costs one match and changes neither the template nor the maps
 //! and the model of the others. Its group is the model of the study, or the members with one level of a covariate.
 
-use crate::align::{WatchedShapes, align};
+use crate::adjustment::{Adjusted, Adjustment, AdjustmentFacts};
+use crate::align::{Alignment, Shapes, WatchedShapes, align, points};
 use crate::cohort::{Cohort, Role, Subject, Values};
 use crate::error::StudyError;
 use crate::findings::{onto_mean, placed, shape_on_mean};
@@ -22,6 +23,7 @@ use homolog_formats::gifti::write_gifti;
 use homolog_formats::vtk::write_vtk_with;
 use homolog_formats::{VertexArray, VertexValues};
 use homolog_mesh::SurfaceMesh;
+use homolog_primitives::observe::Observer;
 use nalgebra::Point3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -65,6 +67,15 @@ impl Subgroup {
     }
 }
 
+/// What a new subject is compared with.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Reference {
+    /// The group; `None` for all members of the model.
+    pub within: Option<Subgroup>,
+    /// Covariates that are adjusted for.
+    pub adjustment: Adjustment,
+}
+
 /// A connected region of vertices beyond the bound, all in one direction.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Region {
@@ -78,7 +89,7 @@ pub struct Region {
     pub peak_mm: [f64; 3],
     /// Score at the peak; positive outwards.
     pub score: f64,
-    /// Deviation from the mean at the peak along the outward normal, mm.
+    /// Deviation at the peak along the outward normal from the mean, or from the prediction at the subject's covariates, mm.
     pub deviation_mm: f64,
 }
 
@@ -87,6 +98,9 @@ pub struct Region {
 pub struct ScoreSummary {
     /// The group, if it is a part of the study.
     pub within: Option<Subgroup>,
+    /// The adjustment for covariates, if there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adjusted: Option<AdjustmentFacts>,
     /// Members of the group.
     pub members: usize,
     /// Whether no reason was found to doubt the match; `None` for methods that do not judge.
@@ -118,7 +132,8 @@ pub struct SubjectScore {
     pub summary: ScoreSummary,
     /// Score at each vertex of the template; positive outwards.
     pub scores: Vec<f64>,
-    /// Deviation from the mean of the group along the outward normal at each vertex, mm.
+    /// Deviation along the outward normal from the mean of the group, or from the prediction at the subject's covariates, at
+    /// each vertex, mm.
     pub deviation_mm: Vec<f64>,
     /// The template deformed onto the subject, in the subject's coordinates.
     pub surface: SurfaceMesh,
@@ -151,10 +166,12 @@ pub fn add(cohort: &mut Cohort, settings: &mut Settings, new: NewSubject) -> Res
     Ok(cohort.subjects.len() - 1)
 }
 
-/// Scores subject `k` of a study, which has the role `score`, against the members, or those `within` a level.
+/// Scores subject `k` of a study, which has the role `score`, against the members, or a part of them, with or without
+/// adjustment for covariates.
 ///
 /// # Errors
-/// [`StudyError::Settings`] for an unknown group; [`StudyError::TooFewMatches`] if the subject has no match or the group
+/// [`StudyError::Settings`] for an unknown group or covariate, a value of the subject that is missing or unknown, and
+/// fewer than four degrees of freedom of a regression; [`StudyError::TooFewMatches`] if the subject has no match or the group
 /// fewer than four members; errors of the model.
 ///
 /// # Cost
@@ -165,7 +182,7 @@ pub fn score(
     matched: &Matched,
     folder: &Folder,
     decisions: &[Decision],
-    (k, within): (usize, Option<&Subgroup>),
+    (k, reference): (usize, &Reference),
     watcher: &dyn StudyObserver,
 ) -> Result<SubjectScore, StudyError> {
     let observer = &Interruption(watcher);
@@ -175,7 +192,7 @@ pub fn score(
         let reason = subjects[k].facts.error.clone().unwrap_or_default();
         return Err(StudyError::TooFewMatches { matched: 0, all: 1, purpose: "to score the subject", reason });
     }
-    let group = group(study, &matched, &members, k, within)?;
+    let (group, adjusted) = group(study, &matched, &members, k, reference)?;
     watcher.progress("shape model", 0, 1);
     let template = &matched.making.template.mesh;
     let key = |k: &usize| (matched.keys[*k].clone(), study.cohort.subjects[*k].id.clone());
@@ -184,7 +201,9 @@ pub fn score(
     let mut frame = alignment.clone();
     frame.onto_mean.push(onto_mean(study, &matched, folder, &alignment, k)?.1);
     let all = folder.shapes(group.iter().chain([&k]).map(key).collect(), template.n_vertices());
-    let model = ShapeModel::with_others(&all, &frame, group.len(), study.settings.analysis.seed, observer)?;
+    let seed = study.settings.analysis.seed;
+    let watched = WatchedShapes { shapes: &all, observer };
+    let unusual = Unusual::new(&watched, &frame, adjusted.as_ref(), seed, observer)?;
     let mean = template.with_vertices(alignment.mean.clone())?;
     let values = |k: usize| -> Result<Vec<f64>, StudyError> {
         let own = mean.with_vertices(shape_on_mean(study, &matched, folder, &alignment, k)?)?;
@@ -194,22 +213,27 @@ pub fn score(
     let of_members: Vec<Vec<f64>> = group.par_iter().map(|&k| values(k)).collect::<Result<_, _>>()?;
     let own = values(k)?;
     let few = || too_few(&group, "a normative score needs subjects that differ");
-    let norm = Norm::new(of_members, alignment.weights.clone()).ok_or_else(few)?;
+    let weights = alignment.weights.clone();
+    let norm = match &adjusted {
+        None => Norm::new(of_members, weights),
+        Some(adjusted) => Norm::adjusted(&of_members, weights, &adjusted.model, &adjusted.own),
+    };
+    let norm = norm.ok_or_else(few)?;
     let left_out = norm.leave_one_out(observer)?;
     let scores = norm.scores(&own);
-    let deviation_mm: Vec<f64> = own.iter().zip(norm.mean()).map(|(y, mean)| y - mean).collect();
+    let deviation_mm: Vec<f64> = own.iter().zip(norm.expected()).map(|(y, expected)| y - expected).collect();
     let points = folder.get(&matched.keys[k])?.map(|record| record.points).unwrap_or_default();
     let surface = crate::mirror::deformed_template(template, crate::align::points(&points), study.is_mirrored(k))?;
-    let (_, distance) = model.score(&alignment, &shape_on_mean(study, &matched, folder, &alignment, k)?);
     let (facts, largest_score, bound) = (&subjects[k].facts, largest(&scores), left_out.bound(LEVEL));
     let summary = ScoreSummary {
-        within: within.cloned(),
+        within: reference.within.clone(),
+        adjusted: adjusted.map(|adjusted| adjusted.facts),
         members: group.len(),
         reliable: facts.reliable,
         reasons: facts.reasons.clone(),
         residual_mm: facts.residual_mm,
-        mahalanobis_squared: distance,
-        unusual_p: model.others_p.first().copied().unwrap_or(1.0),
+        mahalanobis_squared: unusual.distance,
+        unusual_p: unusual.p,
         largest_score,
         largest_score_p: left_out.p_of_largest(largest_score),
         regions: regions(&mean, surface.vertices(), &scores, &deviation_mm, bound.score),
@@ -219,24 +243,64 @@ pub fn score(
     Ok(SubjectScore { summary, scores, deviation_mm, surface, mean })
 }
 
+/// How unusual a shape is.
+struct Unusual {
+    /// Squared Mahalanobis distance from the model of the group.
+    distance: f64,
+    p: f64,
+}
+
+impl Unusual {
+    /// The last of the shapes against the others, `frame` having the transforms of all onto the mean of the others.
+    fn new(
+        shapes: &dyn Shapes,
+        frame: &Alignment,
+        adjusted: Option<&Adjusted>,
+        seed: u64,
+        observer: &dyn Observer,
+    ) -> Result<Self, StudyError> {
+        let n = shapes.len() - 1;
+        let of = |shapes: &dyn Shapes, frame: &Alignment| -> Result<Self, StudyError> {
+            let model = ShapeModel::with_others(shapes, frame, n, seed, observer)?;
+            let own = points(&shapes.read(n, 0..shapes.n_vertices())?);
+            let moved: Vec<Point3<f64>> = own.iter().map(|p| frame.onto_mean[n].apply(p)).collect();
+            let (_, distance) = model.score(frame, &moved);
+            Ok(Unusual { distance, p: model.others_p.first().copied().unwrap_or(1.0) })
+        };
+        match adjusted {
+            None => of(shapes, frame),
+            Some(adjusted) => {
+                let (shapes, frame) = adjusted.shapes(shapes, frame)?;
+                of(&shapes, &frame)
+            }
+        }
+    }
+}
+
 fn too_few(group: &[usize], reason: &str) -> StudyError {
     let n = group.len();
     StudyError::TooFewMatches { matched: n, all: n, purpose: "for a normative score", reason: reason.to_owned() }
 }
 
-/// The members of the group: one row of each person, without a copy of the subject's own file.
+/// The members of the group: one row of each person, without a copy of the subject's own file; and their regression.
 fn group(
     study: &Study,
     matched: &Matched,
     members: &[usize],
     k: usize,
-    within: Option<&Subgroup>,
-) -> Result<Vec<usize>, StudyError> {
-    let is_within = level_of(&study.cohort, within)?;
+    reference: &Reference,
+) -> Result<(Vec<usize>, Option<Adjusted>), StudyError> {
+    let is_within = level_of(&study.cohort, reference.within.as_ref())?;
+    let adjustment = (!reference.adjustment.is_empty()).then_some(&reference.adjustment);
     let mut known = BTreeSet::new();
     let is_own = |m: usize| study.hashes[m] == study.hashes[k] && matched.keys[m] == matched.keys[k];
     let mut group: Vec<usize> = members.iter().copied().filter(|&m| is_within(m) && !is_own(m)).collect();
+    let all = group.iter().map(|&m| &study.cohort.subjects[m].subject).collect::<BTreeSet<_>>().len();
+    if let Some(adjustment) = adjustment {
+        group = adjustment.complete(&study.cohort, &group)?;
+    }
     group.retain(|&m| known.insert(&study.cohort.subjects[m].subject));
+    let incomplete = all - group.len();
     if group.len() > MOST_MEMBERS {
         // Keys are hashes.
         group.sort_by(|&a, &b| matched.keys[a].cmp(&matched.keys[b]));
@@ -246,7 +310,8 @@ fn group(
     if group.len() < FEWEST_MEMBERS {
         return Err(too_few(&group, "a normative score needs at least four"));
     }
-    Ok(group)
+    let adjusted = adjustment.map(|of| of.fit(&study.cohort, &group, incomplete)).transpose()?;
+    Ok((group, adjusted))
 }
 
 /// Checks that a group exists.
@@ -321,7 +386,8 @@ pub struct ScoreDocument {
     pub summary: ScoreSummary,
     /// Score at each vertex of the template.
     pub scores: Vec<f32>,
-    /// Deviation from the mean of the group along the outward normal at each vertex, mm.
+    /// Deviation along the outward normal from the mean of the group, or from the prediction at the subject's covariates, at
+    /// each vertex, mm.
     pub deviation_mm: Vec<f32>,
 }
 

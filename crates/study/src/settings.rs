@@ -20,6 +20,9 @@ pub struct Settings {
     /// Origin of the maps from the template to the subjects; pairs in documents of earlier versions.
     #[serde(default)]
     pub correspondence: Correspondence,
+    /// What the visits of one person are matched with.
+    #[serde(default, skip_serializing_if = "Visits::is_default")]
+    pub visits: Visits,
     /// The statistics.
     pub analysis: Analysis,
     /// Number of subjects used to measure the consistency of maps; it is not measured with fewer than 3.
@@ -104,6 +107,48 @@ impl Correspondence {
     /// The origin with a name.
     pub fn of_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|of| of.name() == name)
+    }
+}
+
+/// What the visits of one person are matched with.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Visits {
+    /// The template of the group, each visit separately.
+    #[default]
+    GroupTemplate,
+    /// A template of the person, made from its visits, with which the template of the group is matched
+    /// ([`crate::visits`]).
+    OwnTemplate,
+}
+
+impl Visits {
+    /// All, the default of the command and of the service first.
+    pub const ALL: [Visits; 2] = [Visits::GroupTemplate, Visits::OwnTemplate];
+
+    /// The name used in files and JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Visits::GroupTemplate => "group_template",
+            Visits::OwnTemplate => "own_template",
+        }
+    }
+
+    /// The name used in options of the command.
+    pub fn option(self) -> &'static str {
+        match self {
+            Visits::GroupTemplate => "group-template",
+            Visits::OwnTemplate => "own-template",
+        }
+    }
+
+    /// The choice with a name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|of| of.name() == name || of.option() == name)
+    }
+
+    fn is_default(&self) -> bool {
+        *self == Visits::GroupTemplate
     }
 }
 

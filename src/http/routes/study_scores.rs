@@ -9,6 +9,7 @@ use crate::http::preferences::{idempotency_key, marked, traceparent};
 use crate::http::problem::{FieldError, Problem};
 use crate::http::problem_table::ProblemKind;
 use crate::http::study_score_wire::{ScoreForm, ScoreGroupDocument, ScoreSubmissionDocument, StudyScoreDocument};
+use crate::http::study_wire::Covariates;
 use crate::http::submission::{check_options, referred};
 use crate::http::upload::LimitedBody;
 use crate::http::wire::JobDocument;
@@ -19,6 +20,8 @@ use axum::response::Response;
 
 /// Longest name of a covariate or a level, bytes.
 const MAX_NAME: usize = 200;
+/// Most covariates to adjust for.
+const MAX_ADJUST: usize = 256;
 
 /// Score a new subject against a study
 ///
@@ -40,17 +43,28 @@ pub(crate) async fn submit(call: AuthorizedRequest, request: Request) -> Result<
 async fn take(call: &AuthorizedRequest, request: Request, tap: &LimitedBody) -> Result<Accepted<Job>, Problem> {
     let (study, idempotency_key) = (call.id::<StudyId>()?, idempotency_key(&call.headers)?);
     let (document, files): (ScoreSubmissionDocument, _) = call.document(request, tap).await?;
-    let ScoreSubmissionDocument { input, group, side, labels, tags, external_ref, priority, max_run_s } = document;
+    let ScoreSubmissionDocument {
+        input,
+        group,
+        adjust,
+        covariates,
+        side,
+        labels,
+        tags,
+        external_ref,
+        priority,
+        max_run_s,
+    } = document;
     let options = SentOptions { tags, external_ref, priority, max_run_s, ..SentOptions::default() };
     let (_, mut details) = check_options(options, &call.state)?;
     details.traceparent = traceparent(&call.headers);
     let invalid = |faults: &[FieldError]| Problem::new(ProblemKind::InvalidRequest).errors(faults);
-    if let Some(fault) = group.as_ref().and_then(group_fault) {
+    if let Some(fault) = group.as_ref().and_then(group_fault).or_else(|| adjustment_fault(&adjust, &covariates)) {
         return Err(invalid(&[fault]));
     }
     let input = referred("input", input, &files, &call.state.limits).map_err(|faults| invalid(&faults))?;
     let group = group.map(|group| (group.covariate, group.level));
-    let asked = ScoreQuestions { side, labels, group };
+    let asked = ScoreQuestions { side, labels, group, adjust, covariates: covariates.0 };
     let _memory = definition_memory(call, study, CHANGE_MEMORY).await?;
     let tenant = call.tenant.clone();
     let submission = ScoreSubmission { tenant, study, input, asked, details, idempotency_key };
@@ -65,6 +79,21 @@ fn group_fault(group: &ScoreGroupDocument) -> Option<FieldError> {
         }
     }
     None
+}
+
+/// These names and values are stored in the row of the job, so they are short.
+fn adjustment_fault(adjust: &[String], covariates: &Covariates) -> Option<FieldError> {
+    if adjust.len() > MAX_ADJUST {
+        let detail = format!("must have at most {MAX_ADJUST} covariates");
+        return Some(FieldError::new("/adjust", "out_of_range", detail));
+    }
+    let is_long = |text: &String| text.len() > MAX_NAME;
+    let detail = || format!("must have at most {MAX_NAME} bytes");
+    if let Some(k) = adjust.iter().position(is_long) {
+        return Some(FieldError::new(format!("/adjust/{k}"), "out_of_range", detail()));
+    }
+    let is_short = covariates.0.iter().all(|(name, value)| !is_long(name) && !is_long(value));
+    (!is_short).then(|| FieldError::new("/covariates", "out_of_range", detail()))
 }
 
 /// Get the score of a new subject

@@ -11,7 +11,9 @@ use homolog_study::folder::{Folder, record_name};
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Matched, Records, Step, Study};
 use homolog_study::record::Record;
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{
+    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+};
 use homolog_study::storage::Inputs;
 use nalgebra::Point3;
 use std::collections::BTreeMap;
@@ -134,6 +136,7 @@ impl Bench {
             template_side: None,
             size: Size::Kept,
             correspondence,
+            visits: Visits::default(),
             analysis: Analysis {
                 effect: Some("group".to_owned()),
                 reference: vec![("group".to_owned(), "control".to_owned())],

@@ -6,6 +6,9 @@
 //! variance `s²` is moderated: each vertex has few values, so its variance is drawn towards the variance of all vertices
 //! by as much as the variances differ from each other less than their sampling error allows ([`variance`]).
 //!
+//! Adjusted for covariates, the mean is the prediction of a regression on them at the covariates of the subject
+//! ([`regression`]).
+//!
 //! Every member of the group is scored against the others in the same way. The largest absolute scores of the members
 //! bound the largest score of a further subject; their rank among them is its family-wise p-value.
 //!
@@ -13,10 +16,13 @@
 //! Genetics and Molecular Biology 3, 2004 (moderated t); Vovk et al. 2005, *Algorithmic learning in a random world* (ranks
 //! as p-values).
 
+mod regression;
 mod variance;
 
+use crate::statistics::linear::LinearModel;
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use rayon::prelude::*;
+use regression::Regression;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{Continuous, ContinuousCDF, Normal, StudentsT};
 use variance::Moderation;
@@ -31,9 +37,18 @@ const NORMAL_FROM: f64 = 1e5;
 pub struct Norm {
     /// Weight of each vertex, its share of the area.
     weights: Vec<f64>,
-    /// Values of each member, by vertex.
+    /// Values of each member, by vertex; with covariates, the residuals of its values.
     values: Vec<Vec<f64>>,
-    moments: Moments,
+    expected: Expected,
+}
+
+/// The values that are expected of a further subject.
+#[derive(Debug, Clone)]
+enum Expected {
+    /// The mean of the members.
+    Mean(Moments),
+    /// The prediction at the covariates of the subject.
+    Prediction(Regression),
 }
 
 /// Mean and sum of squares about it, at each vertex.
@@ -96,7 +111,16 @@ impl Norm {
         let moments = Moments::of(&values, weights.len());
         // Equal values leave a sum of rounding errors.
         let varies = moments.squares.iter().zip(&moments.mean).any(|(sum, mean)| *sum > 1e-20 * (mean * mean));
-        (values.len() >= 4 && varies).then_some(Norm { weights, values, moments })
+        (values.len() >= 4 && varies).then_some(Norm { weights, values, expected: Expected::Mean(moments) })
+    }
+
+    /// The same group, for a subject with the row `own` of the members' design `model`. `None` if no residuals differ.
+    pub(crate) fn adjusted(values: &[Vec<f64>], weights: Vec<f64>, model: &LinearModel, own: &[f64]) -> Option<Self> {
+        let (regression, residuals) = Regression::new(values, model, own);
+        let size = values.iter().flatten().fold(0.0, |most, y: &f64| f64::max(most, y.abs()));
+        let varies = regression.squares.iter().any(|sum| *sum > 1e-20 * size * size);
+        let expected = Expected::Prediction(regression);
+        varies.then_some(Norm { weights, values: residuals, expected })
     }
 
     /// Number of members.
@@ -109,14 +133,21 @@ impl Norm {
         self.values.is_empty()
     }
 
-    /// The mean of the members at each vertex.
-    pub fn mean(&self) -> &[f64] {
-        &self.moments.mean
+    /// The values that are expected of the subject, at each vertex: the mean of the members, or the prediction at its
+    /// covariates.
+    pub fn expected(&self) -> &[f64] {
+        match &self.expected {
+            Expected::Mean(moments) => &moments.mean,
+            Expected::Prediction(regression) => &regression.expected,
+        }
     }
 
     /// The scores of a subject that is no member, at each vertex.
     pub fn scores(&self, own: &[f64]) -> Vec<f64> {
-        self.moments.scores(own, &self.weights)
+        match &self.expected {
+            Expected::Mean(moments) => moments.scores(own, &self.weights),
+            Expected::Prediction(regression) => regression.scores(own, &self.weights),
+        }
     }
 
     /// Scores every member against the others.
@@ -130,9 +161,13 @@ impl Norm {
         let each: Vec<[f64; 5]> = self
             .values
             .par_iter()
-            .map(|own| {
+            .enumerate()
+            .map(|(member, own)| {
                 checkpoint(observer)?;
-                let scores = self.moments.without(own).scores(own, &self.weights);
+                let scores = match &self.expected {
+                    Expected::Mean(moments) => moments.without(own).scores(own, &self.weights),
+                    Expected::Prediction(regression) => regression.left_out(member, own, &self.weights),
+                };
                 let mean = |of: &dyn Fn(f64) -> f64| {
                     scores.iter().zip(&self.weights).map(|(&z, weight)| weight * of(z)).sum::<f64>()
                 };
@@ -212,17 +247,28 @@ impl Moments {
     }
 
     fn scores(&self, own: &[f64], weights: &[f64]) -> Vec<f64> {
-        let degrees = (self.n - 1) as f64;
-        let variances: Vec<f64> = self.squares.iter().map(|sum| sum / degrees).collect();
-        let prior = Moderation::of(&variances, weights, degrees);
-        let students = Students::new(degrees + prior.degrees);
         let error = (1.0 + 1.0 / self.n as f64).sqrt();
-        let score = |v: usize| {
-            let deviation = prior.moderated(variances[v], degrees).sqrt() * error;
-            if deviation > 0.0 { students.score((own[v] - self.mean[v]) / deviation) } else { 0.0 }
-        };
-        (0..own.len()).map(score).collect()
+        standardized(|v| own[v] - self.mean[v], &self.squares, (self.n - 1) as f64, error, weights)
     }
+}
+
+/// Scores of deviations from what is expected. `squares`: sums of squared residuals at each vertex, of `degrees` degrees
+/// of freedom; `error`: standard deviation of a deviation over that of a residual.
+fn standardized(
+    deviation: impl Fn(usize) -> f64,
+    squares: &[f64],
+    degrees: f64,
+    error: f64,
+    weights: &[f64],
+) -> Vec<f64> {
+    let variances: Vec<f64> = squares.iter().map(|sum| sum / degrees).collect();
+    let prior = Moderation::of(&variances, weights, degrees);
+    let students = Students::new(degrees + prior.degrees);
+    let score = |v: usize| {
+        let standard = prior.moderated(variances[v], degrees).sqrt() * error;
+        if standard > 0.0 { students.score(deviation(v) / standard) } else { 0.0 }
+    };
+    (0..squares.len()).map(score).collect()
 }
 
 /// Student's t distribution, or the normal one in its limit.

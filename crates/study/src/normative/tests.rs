@@ -31,6 +31,42 @@ fn leaving_out_is_a_norm_of_the_others() {
     }
 }
 
+/// A design of the mean, a number and a level, of `n` rows.
+fn design(n: usize) -> Vec<[f64; 3]> {
+    (0..n).map(|k| [1.0, ((7 * k) % n) as f64 - 4.0, f64::from(u8::from(k % 3 == 0))]).collect()
+}
+
+fn regressed(values: &[Vec<f64>], rows: &[[f64; 3]], own: [f64; 3]) -> Norm {
+    let model = LinearModel::new(&faer::Mat::from_fn(rows.len(), 3, |i, k| rows[i][k]));
+    let weights = vec![1.0 / values[0].len() as f64; values[0].len()];
+    Norm::adjusted(values, weights, &model, &own).unwrap()
+}
+
+#[test]
+fn leaving_out_is_a_regression_of_the_others() {
+    let (values, rows) = (drawn(12, 40, true, 5), design(12));
+    let found = regressed(&values, &rows, rows[0]).leave_one_out(&Silent).unwrap();
+    for left in 0..12 {
+        let without = |k: &usize| *k != left;
+        let others: Vec<_> = (0..12).filter(without).map(|k| values[k].clone()).collect();
+        let of_others: Vec<_> = (0..12).filter(without).map(|k| rows[k]).collect();
+        let slow = regressed(&others, &of_others, rows[left]).scores(&values[left]);
+        assert!((found.largest[left] - largest(&slow)).abs() < 1e-8, "{left}");
+    }
+}
+
+#[test]
+fn a_regression_on_nothing_is_the_mean() {
+    let values = drawn(9, 40, true, 6);
+    let plain = norm(values.clone());
+    let model = LinearModel::new(&faer::Mat::from_fn(9, 1, |_, _| 1.0));
+    let same = Norm::adjusted(&values, vec![1.0 / 40.0; 40], &model, &[1.0]).unwrap();
+    let own = vec![4.0; 40];
+    assert!(plain.scores(&own).iter().zip(same.scores(&own)).all(|(a, b)| (a - b).abs() < 1e-9));
+    let left_out = |norm: &Norm| norm.leave_one_out(&Silent).unwrap().largest;
+    assert!(left_out(&plain).iter().zip(left_out(&same)).all(|(a, b)| (a - b).abs() < 1e-9));
+}
+
 #[test]
 fn without_moderation_a_score_is_the_quantile_of_a_predictive_t() {
     // Many members leave the variances to themselves.

@@ -3,7 +3,7 @@
 use super::escaped;
 use crate::findings::Findings;
 use crate::plan::Study;
-use crate::settings::{Size, TemplateChoice};
+use crate::settings::{Size, TemplateChoice, Visits};
 use homolog_contract::parameters::Method;
 
 /// The section on methods.
@@ -46,6 +46,14 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
         },
         if n <= 200 { "one subject at a time" } else { "a twentieth of the subjects at a time" }
     ));
+    if settings.visits == Visits::OwnTemplate {
+        let (own, persons) = (found.matched.own.len(), study.persons.len());
+        paragraphs.push(format!(
+            "{own} of {persons} persons with several visits have a template of their own: the mean of the images, in all visits, of a \
+             first mean of these. The template of the group was matched to it, and the map to a visit is this match, followed by \
+             the map to the visit. All other visits were matched directly."
+        ));
+    }
     if let Some(joint) = &found.joint {
         let slid = joint.rounds.last().map_or(0.0, |round| round.slid_mm);
         paragraphs.push(format!(
@@ -128,6 +136,9 @@ pub(super) fn references(study: &Study, found: &Findings) -> String {
         _ => vec![RANSAC, GAUSSIAN_PROCESSES],
     });
     list.extend([PROCRUSTES, SHAPE_MODELS, MODEL_QUALITY]);
+    if settings.visits == Visits::OwnTemplate {
+        list.push(OWN_TEMPLATES);
+    }
     if found.joint.is_some() {
         list.extend([ENTROPY, PROBABILISTIC_COMPONENTS]);
     }
@@ -163,6 +174,7 @@ const HEDGES: &str = "Hedges, L. V. (1981). Distribution theory for Glass's esti
 const ICP: &str = "Besl, P. J., McKay, N. D. (1992). A method for registration of 3-D shapes. IEEE Transactions on Pattern Analysis and Machine Intelligence 14(2), 239–256.";
 const MODEL_QUALITY: &str = "Davies, R. H., Twining, C. J., Cootes, T. F., Waterton, J. C., Taylor, C. J. (2002). A minimum description length approach to statistical shape modeling. IEEE Transactions on Medical Imaging 21(5), 525–537.";
 const NONRIGID_ICP: &str = "Amberg, B., Romdhani, S., Vetter, T. (2007). Optimal step nonrigid ICP algorithms for surface registration. IEEE Conference on Computer Vision and Pattern Recognition.";
+const OWN_TEMPLATES: &str = "Reuter, M., Schmansky, N. J., Rosas, H. D., Fischl, B. (2012). Within-subject template estimation for unbiased longitudinal image analysis. NeuroImage 61(4), 1402–1418.";
 const PERMUTATIONS: &str = "Winkler, A. M., Ridgway, G. R., Webster, M. A., Smith, S. M., Nichols, T. E. (2014). Permutation inference for the general linear model. NeuroImage 92, 381–397.";
 const PROBABILISTIC_COMPONENTS: &str = "Tipping, M. E., Bishop, C. M. (1999). Probabilistic principal component analysis. Journal of the Royal Statistical Society B 61(3), 611–622.";
 const PROCRUSTES: &str = "Gower, J. C. (1975). Generalized Procrustes analysis. Psychometrika 40(1), 33–51.";

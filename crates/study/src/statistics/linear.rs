@@ -99,6 +99,11 @@ impl LinearModel {
         (self.n - self.q.len()) as f64
     }
 
+    /// `1 − h` for the leverage `h` of each row.
+    pub(crate) fn free(&self) -> &[f64] {
+        &self.free
+    }
+
     /// Orthonormal columns that span the design.
     pub(super) fn basis(&self) -> &[Vec<f64>] {
         &self.q

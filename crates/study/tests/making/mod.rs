@@ -14,7 +14,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
@@ -100,6 +100,7 @@ pub(crate) fn made_with(
         file_bytes: if joint { write_ply(&template).len() as u64 } else { 64 },
         has_volumes: false,
         joint,
+        own_templates: false,
     };
     let analysis = Analysis {
         effect: Some("group".to_owned()),
@@ -113,6 +114,7 @@ pub(crate) fn made_with(
         template_side: None,
         size: Size::Kept,
         correspondence,
+        visits: Visits::default(),
         analysis,
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

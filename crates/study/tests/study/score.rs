@@ -11,8 +11,8 @@ use homolog_study::folder::{Folder, record_name};
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::score::{NewSubject, Subgroup, SubjectScore, add, score};
-use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice};
+use homolog_study::score::{NewSubject, Reference, Subgroup, SubjectScore, add, score};
+use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -44,6 +44,7 @@ fn settings() -> Settings {
         template_side: None,
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
+        visits: Visits::default(),
         analysis: Analysis::default(),
         cycle_subjects: 0,
         cycle_ring: Vec::new(),
@@ -59,7 +60,17 @@ fn new_subject() -> NewSubject {
 fn scored(shapes: &[Vec<[f32; 3]>], within: Option<&Subgroup>) -> Result<SubjectScore, StudyError> {
     let n = shapes.len() - 1;
     let rows: String = (0..n).map(|k| format!("s{k},s{k}.ply,{},{k}\n", if 2 * k < n { "a" } else { "b" })).collect();
-    let mut cohort = Cohort::from_csv(format!("id,file,group,age\n{rows}").as_bytes(), Path::new("")).unwrap();
+    let reference = Reference { within: within.cloned(), ..Reference::default() };
+    compared(shapes, &format!("id,file,group,age\n{rows}"), &reference)
+}
+
+/// The score of the last of these shapes against the others, whose table is given.
+pub(crate) fn compared(
+    shapes: &[Vec<[f32; 3]>],
+    table: &str,
+    reference: &Reference,
+) -> Result<SubjectScore, StudyError> {
+    let mut cohort = Cohort::from_csv(table.as_bytes(), Path::new("")).unwrap();
     let mut settings = settings();
     let k = add(&mut cohort, &mut settings, new_subject()).unwrap();
     let open = |files: &BTreeMap<String, Vec<u8>>| {
@@ -75,7 +86,7 @@ fn scored(shapes: &[Vec<[f32; 3]>], within: Option<&Subgroup>) -> Result<Subject
     }
     let (mut study, folder) = open(&files);
     let Step::Matched(matched) = study.advance(&folder, &Quiet).unwrap() else { panic!("matches are missing") };
-    score(&study, &matched, &folder, &[], (k, within), &Quiet)
+    score(&study, &matched, &folder, &[], (k, reference), &Quiet)
 }
 
 fn drawn(n: usize, seed: u64, further: &dyn Fn(usize) -> f64) -> Vec<Vec<[f32; 3]>> {
@@ -86,7 +97,7 @@ fn drawn(n: usize, seed: u64, further: &dyn Fn(usize) -> f64) -> Vec<Vec<[f32; 3
 }
 
 /// The largest difference between the distribution of numbers and the uniform one.
-fn from_uniform(mut numbers: Vec<f64>) -> f64 {
+pub(crate) fn from_uniform(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     let n = numbers.len() as f64;
     numbers.iter().enumerate().map(|(k, p)| (p - (k as f64 + 0.5) / n).abs()).fold(0.0, f64::max)

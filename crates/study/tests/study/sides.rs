@@ -13,7 +13,9 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{
+    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+};
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::path::Path;
 
@@ -60,6 +62,7 @@ fn settings(effect: &str) -> Settings {
         template_side: None,
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
+        visits: Visits::default(),
         analysis: Analysis {
             effect: Some(effect.to_owned()),
             measures: vec![Measure::NormalDisplacement],

@@ -11,7 +11,9 @@ use homolog_study::folder::{Decision, Folder, Verdict};
 use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{
+    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+};
 use homolog_study::subjects::{Flag, SubjectOutcome};
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
@@ -50,6 +52,7 @@ fn settings() -> Settings {
         template_side: None,
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
+        visits: Visits::default(),
         analysis: Analysis {
             effect: Some("group".to_owned()),
             adjust: vec!["age".to_owned()],

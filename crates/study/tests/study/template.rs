@@ -14,7 +14,7 @@ use homolog_study::cohort::Cohort;
 use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Study, TemplateHistory};
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Settings, Size, TemplateChoice};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Settings, Size, TemplateChoice, Visits};
 use nalgebra::{Point3, Rotation3, Vector3};
 use std::path::Path;
 
@@ -75,6 +75,7 @@ fn made(folder: &Path, start: usize) -> TemplateHistory {
         template_side: None,
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
+        visits: Visits::default(),
         analysis: Analysis::default(),
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

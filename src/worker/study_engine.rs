@@ -10,6 +10,7 @@ use super::opened_study::{
 use super::prediction;
 use super::price::PriceLimit;
 use super::study_demand::{cores, demand_of};
+use super::study_templates::packed;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{PlannedMatch, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, blob};
 use crate::jobs::{
@@ -22,16 +23,16 @@ use homolog_primitives::observe::Observer;
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use homolog_study::StudyError;
 use homolog_study::cohort::CohortError;
-use homolog_study::findings::find;
 use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver as _;
 use homolog_study::memory::{measures, permutations, step_bytes};
 use homolog_study::output::write;
-use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
+use homolog_study::plan::{Purpose as Matching, Task, Template};
 use homolog_study::price::step_price;
 use homolog_study::settings::{Correspondence, Measure};
 use homolog_study::sides::template_side;
 use homolog_study::statistics::design::Design;
+use homolog_study::structures::{GroupStep, GroupStudy};
 use serde::{Deserialize as _, Serialize};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -191,9 +192,21 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
     })?;
     let settings = settings(definition).map_err(|error| vec![fault("/parameters".to_owned(), error.to_string())])?;
     template_side(&cohort, &settings).map_err(|error| vec![fault("/template_side".to_owned(), error.to_string())])?;
+    if !cohort.structures().is_empty() {
+        let why = "of several structures each has its own";
+        if definition.template.is_some() {
+            let detail = format!("{why} template, made from the group; leave this out, or use the command, which takes given ones");
+            return Err(vec![fault("/template".to_owned(), detail)]);
+        }
+        if definition.questions.cycles > 0 {
+            let detail = format!("{why} maps; their consistency is measured in a study of one structure");
+            return Err(vec![fault("/cycles".to_owned(), detail)]);
+        }
+    }
     if settings.analysis.effect.is_some() || !settings.analysis.contrasts.is_empty() {
-        let all: Vec<usize> = (0..cohort.subjects.len()).collect();
-        Design::new(&cohort, &all, &settings.analysis).map_err(|why| vec![fault("/effect".to_owned(), why)])?;
+        let persons = cohort.persons();
+        let all: Vec<usize> = (0..persons.subjects.len()).collect();
+        Design::new(&persons, &all, &settings.analysis).map_err(|why| vec![fault("/effect".to_owned(), why)])?;
     }
     Ok(())
 }
@@ -201,13 +214,13 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
 /// One step: the plan of what is missing, or the result.
 fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Product>, StudyError> {
     let watcher = Watched(observer);
-    let OpenedStudy { mut study, folder, decisions } = opened(material, false, &watcher)?;
+    let OpenedStudy { mut study, folder, decisions } = opened(material, &watcher)?;
     match study.advance(&folder, &watcher)? {
-        Step::Match { purpose, template, tasks, finished } => {
-            planned(&study, &folder, purpose, &template, &tasks, finished)
+        GroupStep::Match { purpose, template, tasks, finished } => {
+            planned((&material.definition, &study), &folder, purpose, &template, &tasks, finished)
         }
-        Step::Matched(matched) => {
-            let found = find(&study, &matched, &folder, &decisions, &watcher)?;
+        GroupStep::Matched(matched) => {
+            let (study, found) = study.find(&matched, &folder, &decisions, &watcher)?;
             write(&study, &found, &decisions, &folder, env!("HOMOLOG_COMMIT"), &watcher)?;
             // Before the archive, which holds every file once more.
             drop(found);
@@ -220,14 +233,19 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
 }
 
 fn planned(
-    study: &Study,
+    (definition, study): (&StudyDefinition, &GroupStudy),
     folder: &Folder,
     purpose: Matching,
     template: &Template,
     tasks: &[Task],
     finished: usize,
 ) -> Result<Vec<Product>, StudyError> {
-    let input = study.settings.parameters.input.of_source();
+    let settings = study.settings();
+    let input = settings.parameters.input.of_source();
+    let is_mirrored = |subject: Option<usize>| {
+        let side = subject.and_then(|k| definition.subjects.get(k)?.side);
+        side.is_some() && side != settings.template_side
+    };
     let prepared = prepare_surface(&template.ply, Some(&file_name(".ply")), &input, &IntakeLimits::default());
     let prepared = prepared
         .map_err(|error| StudyError::Start { what: "its template".to_owned(), why: error.for_command_line() })?;
@@ -244,7 +262,7 @@ fn planned(
                 key: task.key.clone(),
                 source: task.source,
                 target: task.target,
-                mirrored: study.mirrored(task),
+                mirrored: [task.source, task.target].map(is_mirrored),
             })
             .collect(),
         template: InputSummary {
@@ -257,7 +275,10 @@ fn planned(
         Product { kind: ArtifactKind::StudyPlan, bytes: json(&plan)? },
         Product { kind: ArtifactKind::StudyTemplate, bytes: template.ply.clone() },
     ];
-    let kept = folder.read(blob::KEPT)?;
+    let kept = match definition.structures() {
+        none if none.is_empty() => folder.read(blob::KEPT)?,
+        structures => packed(folder, &structures)?,
+    };
     products.extend(kept.map(|bytes| Product { kind: ArtifactKind::StudyKept, bytes }));
     Ok(products)
 }

@@ -3,6 +3,7 @@
 pub mod align;
 pub mod average;
 pub mod cohort;
+pub mod complex;
 pub mod consistency;
 pub mod error;
 pub mod findings;
@@ -17,6 +18,7 @@ pub mod model;
 pub mod normative;
 pub mod output;
 pub mod plan;
+mod pose;
 pub mod price;
 pub mod quality;
 pub mod record;
@@ -26,6 +28,8 @@ pub mod settings;
 pub mod sides;
 pub mod statistics;
 pub mod storage;
+pub mod structures;
 pub mod subjects;
+mod whole;
 
 pub use error::StudyError;

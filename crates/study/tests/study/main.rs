@@ -13,5 +13,7 @@ mod price;
 mod score;
 mod sides;
 mod statistics;
+mod structures;
+mod structures_matched;
 mod study;
 mod template;

@@ -229,7 +229,9 @@ fn template(args: &StudyArgs, cohort: &Cohort) -> Result<TemplateChoice, CliErro
         return match args.template.as_slice() {
             [] => Ok(TemplateChoice::Made(made)),
             [file] => Ok(TemplateChoice::Given { file: absolute(file)? }),
-            _ => Err(CliError::BadInput("--template is given more than once, and the table has no structures".to_owned())),
+            _ => Err(CliError::BadInput(
+                "--template is given more than once, and the table has no structures".to_owned(),
+            )),
         };
     }
     let mut given = BTreeMap::new();

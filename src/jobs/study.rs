@@ -209,7 +209,8 @@ impl StudyDefinition {
             let of = |number: fn(&JobInput) -> u32| self.template_input().map_or(0, |input| number(input).into());
             return [self.subjects.len() as u64, of(|input| input.n_vertices), of(|input| input.n_faces)];
         }
-        let person = |of: &StudySubject| (of.subject.clone(), of.side.map(BodySide::name), of.covariates.get("visit").cloned());
+        let person =
+            |of: &StudySubject| (of.subject.clone(), of.side.map(BodySide::name), of.covariates.get("visit").cloned());
         let persons: BTreeSet<_> = self.subjects.iter().map(person).collect();
         let sum = |number: fn(&JobInput) -> u32| -> u64 {
             let largest = |name: &&str| {

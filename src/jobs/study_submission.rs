@@ -92,7 +92,8 @@ fn fault(pointer: String, refusal: &InputRefusal) -> StudyFault {
 
 fn fingerprint(submission: &StudySubmission) -> String {
     let subject = |of: &SubmittedSubject| {
-        let mut parts = vec![json!([of.id, of.subject, of.role, of.side, of.labels, of.covariates, input_value(&of.input)])];
+        let mut parts =
+            vec![json!([of.id, of.subject, of.role, of.side, of.labels, of.covariates, input_value(&of.input)])];
         // As before there were structures, for requests that are repeated after an upgrade.
         parts.extend(of.structure.as_ref().map(|name| json!(name)));
         if parts.len() == 1 { parts.remove(0) } else { Value::from(parts) }

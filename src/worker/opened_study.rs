@@ -124,7 +124,8 @@ pub(super) fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError
     let has_sides = definition.subjects.iter().any(|subject| subject.side.is_some());
     let has_structures = !definition.structures().is_empty();
     let is_there = [true, true, true, true, has_sides, has_structures];
-    let there = |own: [String; 6]| own.into_iter().zip(is_there).filter(|(_, is_there)| *is_there).map(|(text, _)| text);
+    let there =
+        |own: [String; 6]| own.into_iter().zip(is_there).filter(|(_, is_there)| *is_there).map(|(text, _)| text);
     let header = there(OWN_COLUMNS.map(str::to_owned)).chain(names.iter().map(|name| (*name).clone())).collect();
     let rows = definition.subjects.iter().map(|subject| {
         let file = subject_file(&subject.id, subject.input.name_hint.as_deref());

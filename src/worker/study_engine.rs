@@ -195,7 +195,9 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
     if !cohort.structures().is_empty() {
         let why = "of several structures each has its own";
         if definition.template.is_some() {
-            let detail = format!("{why} template, made from the group; leave this out, or use the command, which takes given ones");
+            let detail = format!(
+                "{why} template, made from the group; leave this out, or use the command, which takes given ones"
+            );
             return Err(vec![fault("/template".to_owned(), detail)]);
         }
         if definition.questions.cycles > 0 {

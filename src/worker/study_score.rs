@@ -79,7 +79,8 @@ pub(super) fn check(definition: &StudyDefinition, asked: &ScoreQuestions) -> Res
     };
     let mut cohort = cohort(definition).map_err(|error| fault("", &error))?;
     if !cohort.structures().is_empty() {
-        let why = "a new subject is compared in a study of one structure, and this one has several; submit a study of each";
+        let why =
+            "a new subject is compared in a study of one structure, and this one has several; submit a study of each";
         return Err(fault("", &why));
     }
     let mut settings = settings(definition).map_err(|error| fault("", &error))?;

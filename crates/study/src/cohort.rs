@@ -177,7 +177,8 @@ impl Cohort {
             });
             let side = side.transpose()?;
             let structure = structure_at.map(|_| {
-                let texts = [cell(subject_at), cell(visit_at).filter(|text| is_present(text)), side.map(BodySide::name)];
+                let texts =
+                    [cell(subject_at), cell(visit_at).filter(|text| is_present(text)), side.map(BodySide::name)];
                 let texts = texts.map(Option::unwrap_or_default);
                 let cells = (0..header.len()).filter(is_covariate);
                 let cells = cells.map(|k| (&header[k], row.get(k).filter(|text| is_present(text)))).collect();
@@ -255,7 +256,8 @@ impl Cohort {
             return Err(CohortError::TooFew(n));
         }
         for structure in self.structures() {
-            let is_of = |subject: &&Subject| subject.role == Role::Model && subject.structure_name() == Some(&structure);
+            let is_of =
+                |subject: &&Subject| subject.role == Role::Model && subject.structure_name() == Some(&structure);
             let n = self.subjects.iter().filter(is_of).count();
             if n < 3 {
                 return Err(CohortError::TooFewOfStructure { structure, n });

@@ -235,9 +235,9 @@ pub(crate) fn find_with(
             let shape = record.map(|record| points(&record.points)).unwrap_or_default();
             let size = centroid_size(&shape, &alignment.weights);
             let scale = if study.settings.size == Size::Removed { mean_size / size } else { 1.0 };
-            let poses = complex.iter().flat_map(|complex| {
-                relative_poses(complex, (&shape, scale), &alignment.mean, &alignment.weights)
-            });
+            let poses = complex
+                .iter()
+                .flat_map(|complex| relative_poses(complex, (&shape, scale), &alignment.mean, &alignment.weights));
             Ok((k, size, poses.collect::<Vec<_>>()))
         })
         .collect::<Result<_, StudyError>>()?;
@@ -254,8 +254,7 @@ pub(crate) fn find_with(
     flags(&mut subjects);
     watcher.progress("statistics", 0, 1);
     let complex_of = complex.as_ref();
-    let statistics =
-        statistics(study, matched, complex_of, folder, &alignment, &mean, &subjects, &members, watcher)?;
+    let statistics = statistics(study, matched, complex_of, folder, &alignment, &mean, &subjects, &members, watcher)?;
     let consistency = consistency(study, pairs, matched, folder, observer)?;
     let matched = matched.clone();
     Ok(Findings { matched, joint, complex, subjects, members, alignment, mean, model, statistics, consistency, labels })

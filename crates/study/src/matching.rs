@@ -75,7 +75,9 @@ impl Study {
         settings.template_side = crate::sides::template_side(&cohort, &settings)?;
         let asked = asked(&settings);
         // Other labels of the subjects that it was made from are another template.
-        let kept = folder.kept(&cohort.subfolder(TEMPLATE), &asked)?.filter(|(kept, _)| kept.labels == stated_labels(&cohort, &kept.from));
+        let kept = folder
+            .kept(&cohort.subfolder(TEMPLATE), &asked)?
+            .filter(|(kept, _)| kept.labels == stated_labels(&cohort, &kept.from));
         let by_id = |id: &String| {
             let place = cohort.subjects.iter().position(|subject| subject.id == *id);
             place

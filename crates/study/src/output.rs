@@ -299,7 +299,8 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
     columns.push(("area_mm2".to_owned(), number(&|k| Some(matched(k)?.facts.area_mm2))));
     columns.push(("centroid_size_mm".to_owned(), number(&|k| Some(matched(k)?.size_mm))));
     columns.push(("residual_mm".to_owned(), number(&|k| Some(matched(k)?.facts.residual_mm))));
-    for (at, name) in found.complex.iter().flat_map(|complex| complex.structures.iter().map(|of| &of.name).enumerate()) {
+    for (at, name) in found.complex.iter().flat_map(|complex| complex.structures.iter().map(|of| &of.name).enumerate())
+    {
         let facts = |k: usize| Some(&of[k].structures.get(at)?.facts).filter(|facts| facts.error.is_none());
         columns.push((format!("volume_mm3.{name}"), number(&|k| facts(k)?.volume_mm3)));
         columns.push((format!("area_mm2.{name}"), number(&|k| Some(facts(k)?.area_mm2))));

@@ -133,7 +133,9 @@ pub struct SubjectScore {
 pub fn add(cohort: &mut Cohort, settings: &mut Settings, new: NewSubject) -> Result<usize, StudyError> {
     let fault = |text: &str| Err(StudyError::Settings(text.to_owned()));
     if !cohort.structures().is_empty() {
-        return fault("a new subject is compared in a study of one structure; make one of each, with a table of its rows");
+        return fault(
+            "a new subject is compared in a study of one structure; make one of each, with a table of its rows",
+        );
     }
     settings.template_side = crate::sides::template_side(cohort, settings)?;
     match (settings.template_side, new.side) {

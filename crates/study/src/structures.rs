@@ -32,7 +32,7 @@ pub enum GroupStudy {
     /// Of one.
     One(Box<Study>),
     /// Of several.
-    Several(ComplexStudy),
+    Several(Box<ComplexStudy>),
 }
 
 /// A study of several structures of each person.
@@ -96,7 +96,8 @@ impl GroupStudy {
         if cohort.structures().is_empty() {
             return Ok(GroupStudy::One(Box::new(Study::open(cohort, settings, hashes, folder, watcher)?)));
         }
-        ComplexStudy::open(&cohort, settings, hashes, folder, watcher).map(GroupStudy::Several)
+        let complex = ComplexStudy::open(&cohort, settings, hashes, folder, watcher)?;
+        Ok(GroupStudy::Several(Box::new(complex)))
     }
 
     /// The next step, given the existing records; see [`Study::advance`].
@@ -214,7 +215,8 @@ fn settings_of(name: &str, rows: &Cohort, settings: &Settings) -> Result<Setting
     let is_own = |id: &&String| rows.subjects.iter().any(|row| row.id == **id);
     let template = match &settings.template {
         TemplateChoice::Given { .. } => {
-            let why = "one template is given for all structures; give each its own (--template STRUCTURE=FILE), or none";
+            let why =
+                "one template is given for all structures; give each its own (--template STRUCTURE=FILE), or none";
             return Err(StudyError::Settings(why.to_owned()));
         }
         TemplateChoice::Made(how) => match how.given.get(name) {
@@ -245,7 +247,9 @@ impl ComplexStudy {
     ) -> Result<Self, StudyError> {
         let fault = |why: String| Err(StudyError::Settings(why));
         if settings.cycle_subjects > 0 {
-            return fault("the consistency of maps is measured in a study of one structure; leave cycles out".to_owned());
+            return fault(
+                "the consistency of maps is measured in a study of one structure; leave cycles out".to_owned(),
+            );
         }
         // Neither the order of rows nor that of structures changes anything.
         let order: Vec<usize> = cohort.rows_of_persons().into_values().flatten().collect();
@@ -268,9 +272,9 @@ impl ComplexStudy {
             cohorts.push((name, own, cohort));
         }
         // One side for all structures; a given template decides that it has to be stated.
-        let sides = cohorts.iter().map(|(name, _, cohort)| {
-            crate::sides::template_side(&rows, &settings_of(name, cohort, &settings)?)
-        });
+        let sides = cohorts
+            .iter()
+            .map(|(name, _, cohort)| crate::sides::template_side(&rows, &settings_of(name, cohort, &settings)?));
         let sides = sides.collect::<Result<Vec<_>, StudyError>>()?;
         settings.template_side = sides.first().copied().flatten();
         let (mut parts, mut found, mut from) = (Vec::new(), vec![String::new(); rows.subjects.len()], Vec::new());
@@ -390,9 +394,8 @@ fn decisions_on_persons(
             .collect();
         let decided = |verdict: Verdict| {
             let is_wanted = |decision: &&Decision| decision.decision == verdict;
-            let (name, decision) = found
-                .iter()
-                .find_map(|(name, row)| Some((name, row.decision.as_ref().filter(is_wanted)?)))?;
+            let (name, decision) =
+                found.iter().find_map(|(name, row)| Some((name, row.decision.as_ref().filter(is_wanted)?)))?;
             let reason = format!("{name}: {}", decision.reason);
             Some(Decision { id: (*id).to_owned(), decision: verdict, reason })
         };
@@ -504,7 +507,8 @@ fn template(
     }
     let meshes: Vec<_> = parts.iter().map(|part| &part.matched.making.template.mesh).collect();
     let weights: Vec<Vec<f64>> = meshes.iter().map(|mesh| area_weights(mesh)).collect();
-    let mut sums: Vec<Vec<Vector3<f64>>> = meshes.iter().map(|mesh| vec![Vector3::zeros(); mesh.n_vertices()]).collect();
+    let mut sums: Vec<Vec<Vector3<f64>>> =
+        meshes.iter().map(|mesh| vec![Vector3::zeros(); mesh.n_vertices()]).collect();
     let degenerate = |error| StudyError::Alignment { id: "of a template".to_owned(), error };
     for rows in &members {
         checkpoint(observer)?;

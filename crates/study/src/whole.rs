@@ -20,7 +20,8 @@ pub(crate) fn variables(rows: &[&SubjectFindings]) -> Vec<(String, Vec<f64>)> {
         );
         add(format!("area of label {label}, mm²"), rows().map(|s| s.labels.get(&label).map(|l| l.area_mm2)).collect());
     }
-    for (k, StructureFindings { name, .. }) in rows().next().iter().flat_map(|first| first.structures.iter().enumerate())
+    for (k, StructureFindings { name, .. }) in
+        rows().next().iter().flat_map(|first| first.structures.iter().enumerate())
     {
         let of = |value: &dyn Fn(&StructureFindings) -> Option<f64>| -> Option<Vec<f64>> {
             rows().map(|s| value(s.structures.get(k)?)).collect()

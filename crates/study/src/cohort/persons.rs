@@ -63,7 +63,10 @@ impl PersonRows {
         }
         let spelling = self.spellings.entry(structure.to_lowercase()).or_insert_with(|| (*structure).to_owned());
         if spelling != structure {
-            return wrong("structure", format!("an earlier line spells {structure} as {spelling}; write it in one way"));
+            return wrong(
+                "structure",
+                format!("an earlier line spells {structure} as {spelling}; write it in one way"),
+            );
         }
         if texts[0].is_empty() {
             return wrong("subject", "is empty; name the person, whose structures have it in common".to_owned());
@@ -87,7 +90,10 @@ impl PersonRows {
             return wrong("subject", fault);
         }
         if person.role != *role {
-            return wrong("role", format!("differs from that of line {}, another structure of the person", person.line));
+            return wrong(
+                "role",
+                format!("differs from that of line {}, another structure of the person", person.line),
+            );
         }
         for (known, (column, text)) in person.cells.iter_mut().zip(cells) {
             match (&known, text) {

@@ -112,7 +112,8 @@ fn whole_template(study: &Study, found: &Findings) -> String {
                 how.tolerance,
                 how.max_rounds
             )
-        }}
+        }
+    }
 }
 
 /// How the templates of several structures were made and matched.

@@ -24,7 +24,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 const PERSONS: usize = 40;
-/// How far the second structure of patients lies from that of controls, mm, along x.
+/// How far the second structure of patients lies from that of controls, mm, along y: away from the first.
 const SHIFT_MM: f64 = 1.0;
 /// The first structure is named so, because the other one moves relative to it.
 const FIRST: &str = "hippocampus";
@@ -70,7 +70,7 @@ fn shapes(seed: u64) -> BTreeMap<(String, &'static str), Vec<[f32; 3]>> {
         let field = [draw(0.15), draw(0.15), draw(0.1)];
         let [turn, shift] = [draw(0.02), draw(0.2)].map(Vector3::from);
         let motion = Isometry3::new(Vector3::from(draw(5.0)), Vector3::from(draw(0.3)));
-        let shift = beside() + shift + if k % 2 == 0 { SHIFT_MM * Vector3::x() } else { Vector3::zeros() };
+        let shift = beside() + shift + if k % 2 == 0 { SHIFT_MM * Vector3::y() } else { Vector3::zeros() };
         let turn = UnitQuaternion::from_scaled_axis(turn);
         let own = rest.iter().zip(&normals).map(|(p, normal)| {
             let wave = |axis: usize| field[0][axis] * (p[axis] / 2.0).sin() + field[1][axis] * (p[axis] / 3.0).cos();
@@ -217,9 +217,9 @@ fn a_shift_of_a_structure_is_found_in_the_complex_and_in_no_structure_alone() {
     let (displacement, thickness) = (&statistics.maps[0], &statistics.maps[1]);
     let (effect, p, normals) = (displacement.effect(), displacement.p_corrected(), found.mean.vertex_normals());
     // Where the normal is that of the shift, the surface of the second structure moved by it, less what the alignment takes.
-    for v in second.clone().filter(|&v| normals[v].x.abs() > 0.8) {
+    for v in second.clone().filter(|&v| normals[v].y.abs() > 0.8) {
         assert!(p[v] <= 0.01, "vertex {v}: {}", p[v]);
-        let along = effect[v] / normals[v].x;
+        let along = effect[v] / normals[v].y;
         assert!((0.5..1.2).contains(&along), "vertex {v}: {along} mm of {SHIFT_MM}");
     }
     let strongest = (0..p.len()).max_by(|&a, &b| effect[a].abs().total_cmp(&effect[b].abs())).unwrap();
@@ -230,10 +230,10 @@ fn a_shift_of_a_structure_is_found_in_the_complex_and_in_no_structure_alone() {
 
     // The shift has its size within its interval, and there is no other.
     let whole = |name: &str| statistics.whole.iter().find(|of| of.variable == name).map(|of| &of.effect).unwrap();
-    let shift = whole(&format!("shift of {SECOND} along x, mm"));
+    let shift = whole(&format!("shift of {SECOND} along y, mm"));
     assert!(shift.interval[0] < SHIFT_MM && SHIFT_MM < shift.interval[1] && shift.p < 1e-6, "{shift:?}");
     assert!(shift.interval[1] - shift.interval[0] < 0.5, "{shift:?}");
-    for other in ["along y, mm", "along z, mm"] {
+    for other in ["along x, mm", "along z, mm"] {
         let effect = whole(&format!("shift of {SECOND} {other}"));
         assert!(effect.p > 0.01, "{other}: {effect:?}");
     }
@@ -251,10 +251,12 @@ fn a_shift_of_a_structure_is_found_in_the_complex_and_in_no_structure_alone() {
     assert_eq!((cell("id"), number("volume_mm3")), ("p0".to_owned(), 2000.0));
     assert_eq!(number(&format!("volume_mm3.{SECOND}")), 1000.0);
     assert_eq!((number("area_mm2"), number(&format!("area_mm2.{FIRST}"))), (2.0, 1.0));
-    assert!(number(&format!("shift_x_mm.{SECOND}")) > 0.0 && !header.contains(&"shift_x_mm.hippocampus"));
+    assert!(number(&format!("shift_y_mm.{SECOND}")) > 0.0 && !header.contains(&"shift_x_mm.hippocampus"));
     assert_eq!(study.cohort.subjects.len(), PERSONS);
     let page = String::from_utf8(files["report.html"].clone()).unwrap();
-    for part in ["Study of 40 subjects", "putamen: given", "shift of putamen along x, mm", "<p>hippocampus: 642 vertices"] {
+    for part in
+        ["Study of 40 subjects", "putamen: given", "shift of putamen along x, mm", "<p>hippocampus: 642 vertices"]
+    {
         assert!(page.contains(part), "{part}");
     }
 
@@ -327,7 +329,8 @@ fn a_person_without_a_structure_or_with_an_unreliable_one_is_left_out_and_the_st
     let (shapes, mut settings) = (shapes(7), settings(vec![Measure::LogArea]));
     settings.analysis.permutations = 20;
     let text = table(&[FIRST, SECOND]);
-    let text: String = text.lines().filter(|line| !line.starts_with("p4,putamen")).map(|line| format!("{line}\n")).collect();
+    let text: String =
+        text.lines().filter(|line| !line.starts_with("p4,putamen")).map(|line| format!("{line}\n")).collect();
     let changed = |person: &str, structure: &str, facts: &mut Facts| match (person, structure) {
         ("p6", SECOND) => {
             facts.reliable = Some(false);
@@ -350,13 +353,19 @@ fn a_person_without_a_structure_or_with_an_unreliable_one_is_left_out_and_the_st
     assert_eq!((of("p4").place, of("p4").flags.as_slice()), (SubjectOutcome::Failed, &[Flag::NoMatch][..]));
     assert_eq!(of("p4").facts.error.as_deref(), Some("no structure putamen"));
     assert_eq!(of("p8").facts.error.as_deref(), Some("hippocampus: the file is empty"));
-    assert_eq!((of("p6").place, of("p6").facts.reasons.as_slice()), (SubjectOutcome::Unreliable, &["putamen: other_handedness".to_owned()][..]));
+    assert_eq!(
+        (of("p6").place, of("p6").facts.reasons.as_slice()),
+        (SubjectOutcome::Unreliable, &["putamen: other_handedness".to_owned()][..])
+    );
     assert_eq!([of("p10").place, of("p11").place], [SubjectOutcome::Dropped; 2]);
     // The residual of a small structure is compared with the same structure of the others.
     assert!(of("p9").flags.contains(&Flag::UnusualResidual), "{:?}", of("p9"));
     assert!(of("p9").facts.reasons.contains(&"putamen: unusual residual".to_owned()));
     let quality = String::from_utf8(written["quality.csv"].clone()).unwrap();
-    assert!(quality.lines().any(|line| line.starts_with("p4,failed,no match") && line.ends_with("no structure putamen")), "{quality}");
+    assert!(
+        quality.lines().any(|line| line.starts_with("p4,failed,no match") && line.ends_with("no structure putamen")),
+        "{quality}"
+    );
     let page = String::from_utf8(written["report.html"].clone()).unwrap();
     assert!(page.contains("putamen: other handedness: if it lies on the other side"));
     // A decision on the row keeps the person.

@@ -143,13 +143,19 @@ fn both_structures_of_a_side_are_mirrored_together_and_an_interrupted_study_ends
     let cohort = cohort(place.path());
     let joint = settings(Correspondence::Joint);
     let (study, found) = computed(cohort.clone(), joint.clone(), &out, &Quiet).unwrap();
-    assert_eq!(study.settings.template_side, Some(BodySide::Left), "that of the person that the templates are made from");
+    assert_eq!(
+        study.settings.template_side,
+        Some(BodySide::Left),
+        "that of the person that the templates are made from"
+    );
     let ids: Vec<&str> = study.cohort.subjects.iter().map(|person| person.id.as_str()).collect();
     assert_eq!(ids, ["p0_left", "p0_right", "p1_left", "p1_right", "p2_left", "p2_right"]);
     let reasons: Vec<_> = found.subjects.iter().map(|subject| &subject.facts.reasons).collect();
     assert_eq!(found.members.len(), 2 * PERSONS, "{reasons:?}");
     let structures = &found.complex.as_ref().unwrap().structures;
-    assert!(structures.iter().all(|of| of.joint.as_ref().is_some_and(|joint| joint.subjects == 6) && of.rounds.len() == 1));
+    assert!(
+        structures.iter().all(|of| of.joint.as_ref().is_some_and(|joint| joint.subjects == 6) && of.rounds.len() == 1)
+    );
     // Right is the mirror image of left, so that neither shapes nor relative poses of a person's sides differ.
     for persons in found.subjects.chunks(2) {
         let [left, right] = [0, 1].map(|k| persons[k].structures[1].pose.unwrap());
@@ -173,7 +179,9 @@ fn both_structures_of_a_side_are_mirrored_together_and_an_interrupted_study_ends
         }
     }
     let files = contents(&out);
-    for name in ["template/amygdala/kept.json", "template/hippocampus/template.ply", "matches/joint/amygdala/group.json"] {
+    for name in
+        ["template/amygdala/kept.json", "template/hippocampus/template.ply", "matches/joint/amygdala/group.json"]
+    {
         assert!(files.contains_key(name), "{name}");
     }
     assert_eq!(files.keys().filter(|name| name.starts_with("matches/complex/")).count(), 6);
@@ -197,14 +205,22 @@ fn both_structures_of_a_side_are_mirrored_together_and_an_interrupted_study_ends
     same(&files, &elsewhere);
 }
 
-/// A volume of two balls, of labels 1 and 2, of which persons have different sizes.
-fn two_balls(k: usize) -> Vec<u8> {
+/// A volume of two bodies, of labels 1 and 2, whose sizes differ between persons.
+fn two_bodies(k: usize) -> Vec<u8> {
     let n = 40;
-    let (first, second) = (8.0 + 0.3 * k as f64, 5.0 - 0.2 * k as f64);
+    let [first, second] = [1.0 + 0.03 * k as f64, 1.0 - 0.03 * k as f64];
     let label = |at: usize| {
         let p = Point3::new((at % n) as f64, (at / n % n) as f64, (at / (n * n)) as f64);
-        let stretched = |center: Point3<f64>| (p - center).component_mul(&Vector3::new(1.0, 1.3, 1.6)).norm();
-        match (stretched(Point3::new(14.0, 12.0, 18.0)) < first, stretched(Point3::new(22.0, 28.0, 22.0)) < second) {
+        let is_in = |center: Point3<f64>, radii: Vector3<f64>| {
+            // Tapered, bent and twisted, as the bodies above.
+            let x = (p.x - center.x) * 12.0 / radii.x;
+            let (taper, twist) = (1.0 + 0.03 * x, 0.04 * x);
+            let (y, z) = ((p.y - center.y - 0.001 * radii.x * x * x) / taper, (p.z - center.z) / taper);
+            let (y, z) = (y * twist.cos() + z * twist.sin(), z * twist.cos() - y * twist.sin());
+            (x / 12.0).powi(2) + (y / radii.y).powi(2) + (z / radii.z).powi(2) < 1.0
+        };
+        let large = is_in(Point3::new(16.0, 10.0, 18.0), first * Vector3::new(12.0, 6.0, 4.0));
+        match (large, is_in(Point3::new(20.0, 28.0, 22.0), second * Vector3::new(9.0, 5.0, 4.0))) {
             (true, _) => 1,
             (_, true) => 2,
             _ => 0,
@@ -220,7 +236,7 @@ fn structures_of_one_volume_are_told_apart_by_their_labels() {
     let place = tempfile::tempdir().unwrap();
     let mut text = "subject,structure,file,label\n".to_owned();
     for k in 0..4 {
-        std::fs::write(place.path().join(format!("{k}.nii.gz")), two_balls(k)).unwrap();
+        std::fs::write(place.path().join(format!("{k}.nii.gz")), two_bodies(k)).unwrap();
         text.push_str(&format!("p{k},large,{k}.nii.gz,1\np{k},small,{k}.nii.gz,2\n"));
     }
     let cohort = Cohort::from_csv(text.as_bytes(), place.path()).unwrap();
@@ -229,8 +245,6 @@ fn structures_of_one_volume_are_told_apart_by_their_labels() {
     settings.analysis.effect = None;
     let made = MadeTemplate { subjects: 3, max_rounds: 1, ..MadeTemplate::default() };
     settings.template = TemplateChoice::Made(made);
-    // Bodies of revolution have no orientation of their own; nothing here depends on it.
-    settings.parameters = preset(Method::Rigid);
     let (study, found) = computed(cohort, settings, &place.path().join("out"), &Quiet).unwrap();
     for (person, subject) in study.cohort.subjects.iter().zip(&found.subjects) {
         let [large, small] = [0, 1].map(|at| &subject.structures[at].facts);

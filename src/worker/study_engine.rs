@@ -173,10 +173,13 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         let known = Correspondence::ALL.map(Correspondence::name).join(", ");
         faults.push(fault("/correspondence".to_owned(), format!("{shown} is none of {known}")));
     }
-    let ids = || definition.subjects.iter().map(|subject| &subject.id);
-    if let Some(start) = definition.questions.start.as_ref().filter(|start| !ids().any(|id| id == *start)) {
+    let unknown_start = |ids: BTreeSet<&String>| {
+        let start = definition.questions.start.as_ref().filter(|start| !ids.contains(start))?;
         let shown: String = start.chars().take(64).collect();
-        faults.push(fault("/start".to_owned(), format!("the study has no subject {shown}")));
+        Some(fault("/start".to_owned(), format!("the study has no subject {shown}")))
+    };
+    if definition.structures().is_empty() {
+        faults.extend(unknown_start(definition.subjects.iter().map(|subject| &subject.id).collect()));
     }
     if !faults.is_empty() {
         return Err(faults);
@@ -185,7 +188,9 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         vec![match error {
             // The header is line 1.
             CohortError::Cell { line, column, fault: detail } => {
-                fault(format!("/subjects/{}/{column}", line.saturating_sub(2)), detail)
+                let member = if OWN_COLUMNS.contains(&column.as_str()) { column.as_str() } else { "covariates" };
+                let detail = if member == column { detail } else { format!("{column} {detail}") };
+                fault(format!("/subjects/{}/{member}", line.saturating_sub(2)), detail)
             }
             error => fault("/subjects".to_owned(), error.to_string()),
         }]
@@ -193,6 +198,11 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
     let settings = settings(definition).map_err(|error| vec![fault("/parameters".to_owned(), error.to_string())])?;
     template_side(&cohort, &settings).map_err(|error| vec![fault("/template_side".to_owned(), error.to_string())])?;
     if !cohort.structures().is_empty() {
+        let persons = cohort.persons();
+        let known = cohort.subjects.iter().chain(&persons.subjects).map(|subject| &subject.id).collect();
+        if let Some(unknown) = unknown_start(known) {
+            return Err(vec![unknown]);
+        }
         let why = "of several structures each has its own";
         if definition.template.is_some() {
             let detail = format!(

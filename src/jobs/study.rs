@@ -186,7 +186,8 @@ impl StudyDefinition {
         let of_subject = |start: &String| self.subjects.iter().find(|subject| subject.id == *start);
         match (&self.template, &self.questions.start) {
             (Some(given), _) => Some(given),
-            (None, Some(start)) => of_subject(start).map(|subject| &subject.input),
+            // Of several structures it may name a person.
+            (None, Some(start)) => of_subject(start).map(|subject| &subject.input).or_else(|| self.largest_input()),
             (None, None) => self.largest_input(),
         }
     }

@@ -11,7 +11,9 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::plan::Study;
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice};
+use homolog_study::settings::{
+    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+};
 use std::path::Path;
 
 struct Printer;
@@ -32,6 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         template_side: None,
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
+        visits: Visits::GroupTemplate,
         analysis: Analysis {
             effect: Some(effect.clone()),
             measures: vec![Measure::NormalDisplacement],

@@ -12,16 +12,16 @@ use clap::{Args, Subcommand};
 use homolog_contract::input::BodySide;
 use homolog_study::StudyError;
 use homolog_study::cohort::Cohort;
-use homolog_study::findings::{Findings, find};
+use homolog_study::findings::Findings;
 use homolog_study::folder::{Decision, Folder, read_decisions};
 use homolog_study::output::write;
-use homolog_study::plan::Study;
 use homolog_study::settings::{
     Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
 };
 use homolog_study::sides::template_side;
+use homolog_study::structures::GroupStudy;
 use homolog_study::subjects::SubjectOutcome;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -34,17 +34,18 @@ use std::path::{Path, PathBuf};
 pub(super) struct StudyArgs {
     #[command(subcommand)]
     command: Option<StudyCommand>,
-    /// A table of subjects (CSV with the column file and, optionally, id, subject, role, side, label and covariates), a folder of
-    /// their files, or the study.json of a study to compute again
+    /// A table of subjects (CSV with the column file and, optionally, id, subject, role, side, label, structure and covariates), a
+    /// folder of their files, or the study.json of a study to compute again
     #[arg(value_name = "TABLE.csv|FOLDER|study.json", required = true)]
     cohort: Option<PathBuf>,
     /// Folder for the results: study.json, report.html, tables, the mean, modes, maps, and the template deformed onto
     /// every subject
     #[arg(long, value_name = "DIR", required = true)]
     out: Option<PathBuf>,
-    /// Template: a surface or a label volume; default: made from the group
-    #[arg(long, value_name = "FILE")]
-    template: Option<PathBuf>,
+    /// Template: a surface or a label volume; default: made from the group. Where the table has a column structure, that of one
+    /// structure, such as amygdala=FILE; may be repeated
+    #[arg(long, value_name = "FILE|STRUCTURE=FILE")]
+    template: Vec<String>,
     /// Side of the body on which the template lies, where the table has a column side: subjects of the other side are
     /// mirrored; default: the side of the subject from which the template is made, or of most subjects
     #[arg(long, value_name = "left|right", value_parser = PossibleValuesParser::new(["left", "right"]))]
@@ -127,9 +128,9 @@ pub(super) fn run(args: &StudyArgs) -> Result<(), CliError> {
     let done = pool.install(|| -> Result<Findings, StudyError> {
         let folder = Folder::create(out.path())?;
         let decisions = decisions(args, &asked, &folder)?;
-        let mut study = Study::open(asked.cohort, asked.settings, &asked.hashes, &folder, &watcher)?;
+        let mut study = GroupStudy::open(asked.cohort, asked.settings, &asked.hashes, &folder, &watcher)?;
         let matched = study.match_all(&folder, threads, &watcher)?;
-        let found = find(&study, &matched, &folder, &decisions, &watcher)?;
+        let (study, found) = study.find(&matched, &folder, &decisions, &watcher)?;
         write(&study, &found, &decisions, &folder, env!("HOMOLOG_COMMIT"), &watcher)?;
         Ok(found)
     });
@@ -176,20 +177,7 @@ fn asked(args: &StudyArgs, given: &Path) -> Result<Asked, CliError> {
         fs::metadata(&subject.file)
             .map_err(|error| CliError::BadInput(format!("cannot read {}: {error}", subject.file.display())))?;
     }
-    let template = match &args.template {
-        Some(file) => {
-            let file = std::path::absolute(file).map_err(|error| {
-                CliError::BadInput(format!("cannot read {}: {error}", file_name(file).unwrap_or_default()))
-            })?;
-            TemplateChoice::Given { file }
-        }
-        None => TemplateChoice::Made(MadeTemplate {
-            start: args.start.clone(),
-            subjects: args.template_subjects,
-            max_rounds: args.template_rounds,
-            ..MadeTemplate::default()
-        }),
-    };
+    let template = template(args, &cohort)?;
     let pair = |text: &String, option: &str| match text.split_once('=') {
         Some((name, value)) if !name.is_empty() && !value.is_empty() => Ok((name.to_owned(), value.to_owned())),
         _ => Err(CliError::BadInput(format!("{option} {text}: write NAME=VALUE"))),
@@ -221,12 +209,52 @@ fn asked(args: &StudyArgs, given: &Path) -> Result<Asked, CliError> {
     };
     template_side(&cohort, &settings).map_err(|error| CliError::BadInput(error.to_string()))?;
     // A wrong covariate is reported now, and not after the matches.
-    let all: Vec<usize> = (0..cohort.subjects.len()).collect();
+    let persons = cohort.persons();
+    let all: Vec<usize> = (0..persons.subjects.len()).collect();
     if settings.analysis.effect.is_some() || !settings.analysis.contrasts.is_empty() {
-        homolog_study::statistics::design::Design::new(&cohort, &all, &settings.analysis)
+        homolog_study::statistics::design::Design::new(&persons, &all, &settings.analysis)
             .map_err(CliError::BadInput)?;
     }
     Ok(Asked { cohort, settings, hashes: Vec::new(), decisions: None })
+}
+
+/// The origin of the template, or of those of all structures.
+fn template(args: &StudyArgs, cohort: &Cohort) -> Result<TemplateChoice, CliError> {
+    let absolute = |file: &str| {
+        std::path::absolute(file).map_err(|error| {
+            CliError::BadInput(format!("cannot read {}: {error}", file_name(Path::new(file)).unwrap_or_default()))
+        })
+    };
+    let structures = cohort.structures();
+    let made = MadeTemplate {
+        start: args.start.clone(),
+        subjects: args.template_subjects,
+        max_rounds: args.template_rounds,
+        ..MadeTemplate::default()
+    };
+    if structures.is_empty() {
+        return match args.template.as_slice() {
+            [] => Ok(TemplateChoice::Made(made)),
+            [file] => Ok(TemplateChoice::Given { file: absolute(file)? }),
+            _ => Err(CliError::BadInput(
+                "--template is given more than once, and the table has no structures".to_owned(),
+            )),
+        };
+    }
+    let mut given = BTreeMap::new();
+    for text in &args.template {
+        let known = text.split_once('=').filter(|(name, _)| structures.iter().any(|structure| structure == name));
+        let Some((name, file)) = known else {
+            let structures = structures.join(", ");
+            return Err(CliError::BadInput(format!(
+                "--template {text}: write STRUCTURE=FILE, with a structure of the table: {structures}"
+            )));
+        };
+        if given.insert(name.to_owned(), absolute(file)?).is_some() {
+            return Err(CliError::BadInput(format!("--template is given twice for {name}")));
+        }
+    }
+    Ok(TemplateChoice::Made(MadeTemplate { given, ..made }))
 }
 
 /// The decisions of the option, or else of the folder, or else of the study that is computed again.
@@ -238,7 +266,9 @@ fn decisions(args: &StudyArgs, asked: &Asked, folder: &Folder) -> Result<Vec<Dec
         None => folder.read("decisions.csv")?,
     };
     let Some(text) = text else { return Ok(asked.decisions.clone().unwrap_or_default()) };
-    let ids: BTreeSet<&str> = asked.cohort.subjects.iter().map(|subject| subject.id.as_str()).collect();
+    let persons = asked.cohort.persons();
+    let subjects = asked.cohort.subjects.iter().chain(&persons.subjects);
+    let ids: BTreeSet<&str> = subjects.map(|subject| subject.id.as_str()).collect();
     let read = read_decisions(&text, &ids).map_err(StudyError::Settings)?;
     // An empty table of decisions in the folder does not override the decisions of the study that is computed again.
     Ok(if read.is_empty() { asked.decisions.clone().unwrap_or_default() } else { read })
@@ -260,6 +290,13 @@ fn summary(found: &Findings) -> String {
             last.subjects,
             last.moved_share
         ));
+    }
+    for structure in found.complex.iter().flat_map(|complex| &complex.structures) {
+        let template = match structure.rounds.last() {
+            Some(last) => format!("made in {} rounds from {} subjects", structure.rounds.len(), last.subjects),
+            None => "given".to_owned(),
+        };
+        lines.push(format!("{}: {} vertices, template {template}", structure.name, structure.vertices.len()));
     }
     let quality = &found.model.quality;
     if let Some(k) = quality.compactness.iter().position(|share| *share >= 0.9) {

@@ -32,6 +32,10 @@ pub(super) fn said(error: StudyError) -> CliError {
         | StudyError::TooFewMatches { .. }
         | StudyError::File { .. }
         | StudyError::Changed { .. } => CliError::BadInput(error.to_string()),
+        StudyError::Structure { structure, error } => match said(*error) {
+            CliError::BadInput(why) => CliError::BadInput(format!("structure {structure}: {why}")),
+            error => error,
+        },
         error => CliError::Failed(error.to_string()),
     }
 }

@@ -233,6 +233,11 @@ pub(crate) struct StudySubjectDocument {
     #[serde(default, deserialize_with = "labels", skip_serializing_if = "Option::is_none")]
     #[schema(min_items = 1)]
     pub(crate) labels: Option<Vec<LabelChoice>>,
+    /// Which structure it is, where several of one person are analyzed together, their relative pose kept: those with the same `subject`,
+    /// `side` and covariate `visit` belong together. Either all subjects state it, and `subject` too, or none does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schema(min_length = 1, max_length = 200)]
+    pub(crate) structure: Option<String>,
     /// Covariates: a number if it is one for all subjects, else a factor; missing values are absent or `null`.
     #[serde(default)]
     #[schema(value_type = BTreeMap<String, CovariateValue>, required = false)]
@@ -425,6 +430,9 @@ pub(crate) struct StudySubjectStateDocument {
     /// Labels of its volume that belong to the structure, if it states any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) labels: Option<Vec<LabelChoice>>,
+    /// Which structure it is, in a study of several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) structure: Option<String>,
     /// What was decided.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) decision: Option<DecisionVerdict>,
@@ -512,6 +520,7 @@ impl StudySubjectStateDocument {
             role: subject.role,
             side: subject.side,
             labels: subject.labels.clone(),
+            structure: subject.structure.clone(),
             decision: decided.map(|decided| decided.decision),
             reason: decided.map(|decided| decided.reason.clone()),
         }

@@ -107,6 +107,9 @@ pub struct StudySubject {
     /// Labels of its volume that belong to the structure; `None`: those of the parameters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub labels: Option<Vec<LabelChoice>>,
+    /// Which structure it is, in a study of several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub structure: Option<String>,
     /// Its covariates, as text; numbers as they were written.
     pub covariates: BTreeMap<String, String>,
     /// Its surface or label volume.
@@ -183,7 +186,7 @@ impl StudyDefinition {
         let id = (0..).map(|k: usize| format!("scored-{k}")).find(is_free).unwrap_or_default();
         let (side, labels) = (asked.side, asked.labels.clone());
         let (role, covariates) = (SubjectRole::Score, BTreeMap::new());
-        self.subjects.push(StudySubject { id, subject: None, role, side, labels, covariates, input });
+        self.subjects.push(StudySubject { id, subject: None, role, side, labels, structure: None, covariates, input });
         self
     }
 
@@ -192,7 +195,8 @@ impl StudyDefinition {
         let of_subject = |start: &String| self.subjects.iter().find(|subject| subject.id == *start);
         match (&self.template, &self.questions.start) {
             (Some(given), _) => Some(given),
-            (None, Some(start)) => of_subject(start).map(|subject| &subject.input),
+            // Of several structures it may name a person.
+            (None, Some(start)) => of_subject(start).map(|subject| &subject.input).or_else(|| self.largest_input()),
             (None, None) => self.largest_input(),
         }
     }
@@ -200,6 +204,32 @@ impl StudyDefinition {
     /// The largest surface of a subject.
     pub fn largest_input(&self) -> Option<&JobInput> {
         self.subjects.iter().map(|subject| &subject.input).max_by_key(|input| (input.n_vertices, input.n_faces))
+    }
+
+    /// The structures; empty in a study of one.
+    pub fn structures(&self) -> BTreeSet<&str> {
+        self.subjects.iter().filter_map(|subject| subject.structure.as_deref()).collect()
+    }
+
+    /// Subjects of the model and vertices and faces of their template: persons and all structures of theirs, in a study of
+    /// several.
+    fn extent(&self) -> [u64; 3] {
+        let structures = self.structures();
+        if structures.is_empty() {
+            let of = |number: fn(&JobInput) -> u32| self.template_input().map_or(0, |input| number(input).into());
+            return [self.subjects.len() as u64, of(|input| input.n_vertices), of(|input| input.n_faces)];
+        }
+        let person =
+            |of: &StudySubject| (of.subject.clone(), of.side.map(BodySide::name), of.covariates.get("visit").cloned());
+        let persons: BTreeSet<_> = self.subjects.iter().map(person).collect();
+        let sum = |number: fn(&JobInput) -> u32| -> u64 {
+            let largest = |name: &&str| {
+                let own = self.subjects.iter().filter(|of| of.structure.as_deref() == Some(name));
+                own.map(|of| u64::from(number(&of.input))).max().unwrap_or(0)
+            };
+            structures.iter().map(largest).sum()
+        };
+        [persons.len() as u64, sum(|input| input.n_vertices), sum(|input| input.n_faces)]
     }
 
     /// How large the study is. `O(subjects · covariates · log)`.
@@ -214,13 +244,13 @@ impl StudyDefinition {
         };
         let effect = asked.effect.as_ref().map_or(0, levels);
         let inputs = || self.subjects.iter().map(|subject| &subject.input).chain(&self.template);
-        let template = self.template_input();
+        let [subjects, vertices, faces] = self.extent();
         // Only volumes have a size of voxels.
         let is_volume = |input: &JobInput| input.report.get("sampling").is_some_and(|sampling| !sampling.is_null());
         StudySize {
-            subjects: self.subjects.len() as u64,
-            vertices: template.map_or(0, |input| input.n_vertices.into()),
-            faces: template.map_or(0, |input| input.n_faces.into()),
+            subjects,
+            vertices,
+            faces,
             cells: self.subjects.iter().map(|subject| subject.covariates.len() as u64).sum(),
             columns: 1 + effect + asked.adjust.iter().map(levels).sum::<u64>(),
             contrasts: effect + asked.contrasts.len() as u64,
@@ -535,6 +565,7 @@ mod tests {
             role: SubjectRole::Model,
             side: None,
             labels: None,
+            structure: None,
             covariates: [("group", format!("g{}", k % 3)), ("age", format!("{}.5", k)), ("visit", "NA".to_owned())]
                 .map(|(name, value)| (name.to_owned(), value))
                 .into(),
@@ -564,6 +595,12 @@ mod tests {
             Some(JobInput { report: serde_json::json!({"sampling": {"noise_mm": 0.1}}), ..input(7000) });
         let size = definition.size();
         assert_eq!((size.vertices, size.file_bytes, size.has_volumes), (7000, 7000, true), "of the given one");
+        for (k, subject) in definition.subjects.iter_mut().enumerate() {
+            subject.subject = Some(format!("p{}", k / 2));
+            subject.structure = Some(["a", "b"][k % 2].to_owned());
+        }
+        let of_persons = definition.size();
+        assert_eq!((of_persons.subjects, of_persons.vertices), (5, 108 + 109), "of both structures");
         // A job's row keeps it.
         let stored = serde_json::to_value(size).unwrap();
         assert_eq!(serde_json::from_value::<StudySize>(stored).unwrap(), size);

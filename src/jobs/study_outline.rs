@@ -39,6 +39,8 @@ pub struct OutlinedSubject {
     pub side: Option<BodySide>,
     /// Labels of its volume that belong to the structure, if it states any.
     pub labels: Option<Vec<LabelChoice>>,
+    /// Which structure it is, in a study of several.
+    pub structure: Option<String>,
     /// Hash of its surface or label volume.
     pub hash: String,
     /// The decision about it.
@@ -67,6 +69,8 @@ struct Subject {
     side: Option<BodySide>,
     #[serde(default)]
     labels: Option<Vec<LabelChoice>>,
+    #[serde(default)]
+    structure: Option<String>,
     input: Input,
 }
 
@@ -142,8 +146,8 @@ impl<'de> Visitor<'de> for Subjects {
         let (mut page, mut n_subjects) = (Vec::new(), 0);
         loop {
             if self.places.contains(&n_subjects) {
-                let Some(Subject { id, role, side, labels, input }) = list.next_element()? else { break };
-                page.push(OutlinedSubject { id, role, side, labels, hash: input.hash, decision: None });
+                let Some(Subject { id, role, side, labels, structure, input }) = list.next_element()? else { break };
+                page.push(OutlinedSubject { id, role, side, labels, structure, hash: input.hash, decision: None });
             } else if list.next_element::<IgnoredAny>()?.is_none() {
                 break;
             }
@@ -192,6 +196,7 @@ mod tests {
             role: if k % 4 == 1 { SubjectRole::Score } else { SubjectRole::Model },
             side: [None, Some(BodySide::Left), Some(BodySide::Right)][k % 3],
             labels: (k % 2 == 1).then(|| vec![LabelChoice::Number(17), LabelChoice::Name("CA\"1".to_owned())]),
+            structure: (k % 5 == 2).then(|| "amygdala".to_owned()),
             covariates: (0..k % 5).map(|c| (format!("id{c}"), "\u{e9}\\\"}]".to_owned())).collect(),
             input: JobInput {
                 hash: format!("hash{k}"),
@@ -228,6 +233,7 @@ mod tests {
                 role: subject.role,
                 side: subject.side,
                 labels: subject.labels.clone(),
+                structure: subject.structure.clone(),
                 hash: subject.input.hash.clone(),
                 decision: whole.decisions.iter().find(|decision| decision.id == subject.id).cloned(),
             }).collect();

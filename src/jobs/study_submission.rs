@@ -60,6 +60,8 @@ pub struct SubmittedSubject {
     pub side: Option<BodySide>,
     /// Labels of its volume that belong to the structure; `None`: those of the parameters.
     pub labels: Option<Vec<LabelChoice>>,
+    /// Which structure it is, in a study of several.
+    pub structure: Option<String>,
     /// Its covariates.
     pub covariates: BTreeMap<String, String>,
     /// Its surface or label volume.
@@ -78,6 +80,7 @@ fn named(subject: &SubmittedSubject) -> StudySubject {
         role: subject.role,
         side: subject.side,
         labels: subject.labels.clone(),
+        structure: subject.structure.clone(),
         covariates: subject.covariates.clone(),
         input: unchecked(None),
     }
@@ -89,7 +92,11 @@ fn fault(pointer: String, refusal: &InputRefusal) -> StudyFault {
 
 fn fingerprint(submission: &StudySubmission) -> String {
     let subject = |of: &SubmittedSubject| {
-        json!([of.id, of.subject, of.role, of.side, of.labels, of.covariates, input_value(&of.input)])
+        let mut parts =
+            vec![json!([of.id, of.subject, of.role, of.side, of.labels, of.covariates, input_value(&of.input)])];
+        // As before there were structures, for requests that are repeated after an upgrade.
+        parts.extend(of.structure.as_ref().map(|name| json!(name)));
+        if parts.len() == 1 { parts.remove(0) } else { Value::from(parts) }
     };
     let subjects: Vec<Value> = submission.subjects.iter().map(subject).collect();
     let template = submission.template.as_ref().map(input_value);

@@ -37,6 +37,7 @@ mod study_demand;
 pub(crate) mod study_engine;
 pub(crate) mod study_material;
 mod study_score;
+mod study_templates;
 pub mod webhook_delivery;
 
 pub(crate) use pool::Pool;

@@ -1,5 +1,6 @@
 //! A study over the material of a step: its cohort, its settings, its folder in memory, and the failures with which it ends.
 
+use super::study_templates::unpack;
 use crate::jobs::study::{DecisionVerdict, StudyDefinition, StudyMaterial, SubjectRole};
 use crate::jobs::{Failure, InputRefusal};
 use homolog_contract::input::BodySide;
@@ -16,13 +17,15 @@ use homolog_study::settings::{
 };
 use homolog_study::sides::template_side;
 use homolog_study::storage::Inputs;
+use homolog_study::structures::GroupStudy;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Columns of the table of subjects that are no covariates. `side` is last, because a study without sides has no such column.
-pub(super) const OWN_COLUMNS: [&str; 5] = ["file", "id", "subject", "role", "side"];
+/// Columns of the table of subjects that are no covariates. A study without sides has no column `side`, and one of one structure no
+/// column `structure`.
+pub(super) const OWN_COLUMNS: [&str; 6] = ["file", "id", "subject", "role", "side", "structure"];
 
 pub(super) fn no_match() -> InputRefusal {
     let detail = "a step of a study takes no surfaces".to_owned();
@@ -47,6 +50,7 @@ pub(super) fn failure(error: &StudyError) -> Failure {
             "study-failed",
             "the shape of a subject cannot be aligned with the mean; its match is degenerate",
         ),
+        StudyError::Structure { error, .. } => failure(error),
         StudyError::Mesh(_) | StudyError::Decomposition(_) => Failure::new("study-failed", error.to_string()),
         StudyError::File { source, .. } => {
             tracing::error!(cause = %source, "a file of a study cannot be read");
@@ -120,9 +124,11 @@ pub(super) fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError
     let names: BTreeSet<&String> = definition.subjects.iter().flat_map(|subject| subject.covariates.keys()).collect();
     // Where no subject has a side, there is no such covariate.
     let has_sides = definition.subjects.iter().any(|subject| subject.side.is_some());
-    let n_own = OWN_COLUMNS.len() - usize::from(!has_sides);
-    let header =
-        OWN_COLUMNS.into_iter().take(n_own).chain(names.iter().map(|name| name.as_str())).map(str::to_owned).collect();
+    let has_structures = !definition.structures().is_empty();
+    let is_there = [true, true, true, true, has_sides, has_structures];
+    let there =
+        |own: [String; 6]| own.into_iter().zip(is_there).filter(|(_, is_there)| *is_there).map(|(text, _)| text);
+    let header = there(OWN_COLUMNS.map(str::to_owned)).chain(names.iter().map(|name| (*name).clone())).collect();
     let rows = definition.subjects.iter().map(|subject| {
         let file = subject_file(&subject.id, subject.input.name_hint.as_deref());
         let role = match subject.role {
@@ -130,10 +136,16 @@ pub(super) fn cohort(definition: &StudyDefinition) -> Result<Cohort, CohortError
             SubjectRole::Score => "score",
         };
         let side = subject.side.map_or("", BodySide::name);
-        let own =
-            [file, subject.id.clone(), subject.subject.clone().unwrap_or_default(), role.to_owned(), side.to_owned()];
+        let own = [
+            file,
+            subject.id.clone(),
+            subject.subject.clone().unwrap_or_default(),
+            role.to_owned(),
+            side.to_owned(),
+            subject.structure.clone().unwrap_or_default(),
+        ];
         let covariates = names.iter().map(|name| subject.covariates.get(*name).cloned().unwrap_or_default());
-        own.into_iter().take(n_own).chain(covariates).collect()
+        there(own).chain(covariates).collect()
     });
     let mut cohort = Cohort::from_rows(std::iter::once(header).chain(rows))?;
     for (subject, defined) in cohort.subjects.iter_mut().zip(&definition.subjects) {
@@ -180,29 +192,48 @@ pub(super) fn settings(definition: &StudyDefinition) -> Result<Settings, StudyEr
 }
 
 /// A study over the files of its material.
-pub(super) struct OpenedStudy {
-    pub(super) study: Study,
+pub(super) struct OpenedStudy<S> {
+    pub(super) study: S,
     pub(super) folder: Folder,
     pub(super) decisions: Vec<Decision>,
 }
 
-/// Opens the study of a step. With `new`, the last subject is not one of its own, and does not decide on the side of the
-/// template.
+/// Opens the study of a step.
 ///
 /// # Errors
 /// [`StudyError`].
 pub(super) fn opened(
     material: &Arc<StudyMaterial>,
-    new: bool,
     watcher: &dyn StudyObserver,
-) -> Result<OpenedStudy, StudyError> {
+) -> Result<OpenedStudy<GroupStudy>, StudyError> {
+    let definition = &material.definition;
+    let (cohort, settings) = (cohort(definition)?, settings(definition)?);
+    let (folder, decisions) = folder(material);
+    let study = GroupStudy::open(cohort, settings, &[], &folder, watcher)?;
+    Ok(OpenedStudy { study, folder, decisions })
+}
+
+/// Opens a study of one structure whose last subject is not one of its own, and does not decide on the side of the template.
+///
+/// # Errors
+/// [`StudyError`].
+pub(super) fn opened_with_new(
+    material: &Arc<StudyMaterial>,
+    watcher: &dyn StudyObserver,
+) -> Result<OpenedStudy<Study>, StudyError> {
     let definition = &material.definition;
     let (cohort, mut settings) = (cohort(definition)?, settings(definition)?);
-    if new {
-        let mut own = cohort.clone();
-        own.subjects.pop();
-        settings.template_side = template_side(&own, &settings)?;
-    }
+    let mut own = cohort.clone();
+    own.subjects.pop();
+    settings.template_side = template_side(&own, &settings)?;
+    let (folder, decisions) = folder(material);
+    let study = Study::open(cohort, settings, &[], &folder, watcher)?;
+    Ok(OpenedStudy { study, folder, decisions })
+}
+
+/// The folder of a study in memory, and the decisions in it.
+fn folder(material: &Arc<StudyMaterial>) -> (Folder, Vec<Decision>) {
+    let definition = &material.definition;
     let hint = |k: usize| definition.subjects[k].input.name_hint.as_deref();
     let mut hashes: BTreeMap<PathBuf, String> = (0..definition.subjects.len())
         .map(|k| {
@@ -214,6 +245,7 @@ pub(super) fn opened(
         hashes.insert(template_file(given.name_hint.as_deref()), given.hash.clone());
     }
     let mut files = material.files.clone();
+    unpack(&mut files);
     for (key, why) in &material.failures {
         files.entry(record_name(key)).or_insert_with(|| Record::failed(why.clone()).to_bytes());
     }
@@ -231,6 +263,5 @@ pub(super) fn opened(
         .collect();
     files.insert("decisions.csv".to_owned(), decisions_table(&decisions).into_bytes());
     let folder = Folder::in_memory(files, Box::new(Uploads { hashes, material: Arc::clone(material) }));
-    let study = Study::open(cohort, settings, &[], &folder, watcher)?;
-    Ok(OpenedStudy { study, folder, decisions })
+    (folder, decisions)
 }

@@ -10,6 +10,7 @@ use super::opened_study::{
 use super::prediction;
 use super::price::PriceLimit;
 use super::study_demand::{cores, demand_of};
+use super::study_templates::packed;
 use crate::jobs::engine::{Answer, Product};
 use crate::jobs::study::{PlannedMatch, PlannedTemplate, StudyDefinition, StudyFault, StudyMaterial, StudyPlan, blob};
 use crate::jobs::{
@@ -22,16 +23,16 @@ use homolog_primitives::observe::Observer;
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use homolog_study::StudyError;
 use homolog_study::cohort::CohortError;
-use homolog_study::findings::find;
 use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver as _;
 use homolog_study::memory::{measures, permutations, step_bytes};
 use homolog_study::output::write;
-use homolog_study::plan::{Purpose as Matching, Step, Study, Task, Template};
+use homolog_study::plan::{Purpose as Matching, Task, Template};
 use homolog_study::price::step_price;
-use homolog_study::settings::{Correspondence, Measure, Visits};
+use homolog_study::settings::{Correspondence, Measure, Settings, Visits};
 use homolog_study::sides::template_side;
 use homolog_study::statistics::design::Design;
+use homolog_study::structures::{GroupStep, GroupStudy};
 use serde::{Deserialize as _, Serialize};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -181,10 +182,13 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         let known = Visits::ALL.map(Visits::name).join(", ");
         faults.push(fault("/visits".to_owned(), format!("{shown} is none of {known}")));
     }
-    let ids = || definition.subjects.iter().map(|subject| &subject.id);
-    if let Some(start) = definition.questions.start.as_ref().filter(|start| !ids().any(|id| id == *start)) {
+    let unknown_start = |ids: BTreeSet<&String>| {
+        let start = definition.questions.start.as_ref().filter(|start| !ids.contains(start))?;
         let shown: String = start.chars().take(64).collect();
-        faults.push(fault("/start".to_owned(), format!("the study has no subject {shown}")));
+        Some(fault("/start".to_owned(), format!("the study has no subject {shown}")))
+    };
+    if definition.structures().is_empty() {
+        faults.extend(unknown_start(definition.subjects.iter().map(|subject| &subject.id).collect()));
     }
     if !faults.is_empty() {
         return Err(faults);
@@ -193,16 +197,41 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         vec![match error {
             // The header is line 1.
             CohortError::Cell { line, column, fault: detail } => {
-                fault(format!("/subjects/{}/{column}", line.saturating_sub(2)), detail)
+                let member = if OWN_COLUMNS.contains(&column.as_str()) { column.as_str() } else { "covariates" };
+                let detail = if member == column { detail } else { format!("{column} {detail}") };
+                fault(format!("/subjects/{}/{member}", line.saturating_sub(2)), detail)
             }
             error => fault("/subjects".to_owned(), error.to_string()),
         }]
     })?;
     let settings = settings(definition).map_err(|error| vec![fault("/parameters".to_owned(), error.to_string())])?;
     template_side(&cohort, &settings).map_err(|error| vec![fault("/template_side".to_owned(), error.to_string())])?;
+    if !cohort.structures().is_empty() {
+        let persons = cohort.persons();
+        let known = cohort.subjects.iter().chain(&persons.subjects).map(|subject| &subject.id).collect();
+        if let Some(unknown) = unknown_start(known) {
+            return Err(vec![unknown]);
+        }
+        let why = "of several structures each has its own";
+        if definition.template.is_some() {
+            let detail = format!(
+                "{why} template, made from the group; leave this out, or use the command, which takes given ones"
+            );
+            return Err(vec![fault("/template".to_owned(), detail)]);
+        }
+        if definition.questions.cycles > 0 {
+            let detail = format!("{why} maps; their consistency is measured in a study of one structure");
+            return Err(vec![fault("/cycles".to_owned(), detail)]);
+        }
+        if settings.visits == Visits::OwnTemplate {
+            let detail = "templates of persons are made in a study of one structure; leave visits out".to_owned();
+            return Err(vec![fault("/visits".to_owned(), detail)]);
+        }
+    }
     if settings.analysis.effect.is_some() || !settings.analysis.contrasts.is_empty() {
-        let all: Vec<usize> = (0..cohort.subjects.len()).collect();
-        Design::new(&cohort, &all, &settings.analysis).map_err(|why| vec![fault("/effect".to_owned(), why)])?;
+        let persons = cohort.persons();
+        let all: Vec<usize> = (0..persons.subjects.len()).collect();
+        Design::new(&persons, &all, &settings.analysis).map_err(|why| vec![fault("/effect".to_owned(), why)])?;
     }
     Ok(())
 }
@@ -210,13 +239,13 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
 /// One step: the plan of what is missing, or the result.
 fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Product>, StudyError> {
     let watcher = Watched(observer);
-    let OpenedStudy { mut study, folder, decisions } = opened(material, false, &watcher)?;
+    let OpenedStudy { mut study, folder, decisions } = opened(material, &watcher)?;
     match study.advance(&folder, &watcher)? {
-        Step::Match { purpose, template, tasks, finished, own } => {
-            planned(&study, &folder, purpose, (&template, &own), &tasks, finished)
+        GroupStep::Match { purpose, template, tasks, finished, own } => {
+            planned((&material.definition, &study), &folder, purpose, (&template, &own), &tasks, finished)
         }
-        Step::Matched(matched) => {
-            let found = find(&study, &matched, &folder, &decisions, &watcher)?;
+        GroupStep::Matched(matched) => {
+            let (study, found) = study.find(&matched, &folder, &decisions, &watcher)?;
             write(&study, &found, &decisions, &folder, env!("HOMOLOG_COMMIT"), &watcher)?;
             // Before the archive, which holds every file once more.
             drop(found);
@@ -229,8 +258,8 @@ fn step(material: &Arc<StudyMaterial>, observer: &dyn Observer) -> Result<Vec<Pr
 }
 
 /// What a check of a template as an upload would say.
-fn summary(study: &Study, template: &Template) -> Result<InputSummary, StudyError> {
-    let input = study.settings.parameters.input.of_source();
+fn summary(settings: &Settings, template: &Template) -> Result<InputSummary, StudyError> {
+    let input = settings.parameters.input.of_source();
     let prepared = prepare_surface(&template.ply, Some(&file_name(".ply")), &input, &IntakeLimits::default());
     let prepared = prepared
         .map_err(|error| StudyError::Start { what: "its template".to_owned(), why: error.for_command_line() })?;
@@ -243,13 +272,18 @@ fn summary(study: &Study, template: &Template) -> Result<InputSummary, StudyErro
 }
 
 fn planned(
-    study: &Study,
+    (definition, study): (&StudyDefinition, &GroupStudy),
     folder: &Folder,
     purpose: Matching,
     (template, own): (&Template, &[Template]),
     tasks: &[Task],
     finished: usize,
 ) -> Result<Vec<Product>, StudyError> {
+    let settings = study.settings();
+    let is_mirrored = |subject: Option<usize>| {
+        let side = subject.and_then(|k| definition.subjects.get(k)?.side);
+        side.is_some() && side != settings.template_side
+    };
     let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     let plan = StudyPlan {
         round: match purpose {
@@ -264,13 +298,16 @@ fn planned(
                 source: task.source,
                 target: task.target,
                 own: task.own,
-                mirrored: study.mirrored(task),
+                mirrored: match study {
+                    GroupStudy::One(study) => study.mirrored(task),
+                    GroupStudy::Several(_) => [task.source, task.target].map(is_mirrored),
+                },
             })
             .collect(),
-        template: summary(study, template)?,
+        template: summary(settings, template)?,
         own: own
             .iter()
-            .map(|of| Ok(PlannedTemplate { n_bytes: of.ply.len() as u64, surface: summary(study, of)? }))
+            .map(|of| Ok(PlannedTemplate { n_bytes: of.ply.len() as u64, surface: summary(settings, of)? }))
             .collect::<Result<_, StudyError>>()?,
     };
     let mut products = vec![
@@ -281,7 +318,10 @@ fn planned(
         let bytes = own.iter().flat_map(|of| of.ply.iter().copied()).collect();
         products.push(Product { kind: ArtifactKind::StudyOwnTemplates, bytes });
     }
-    let kept = folder.read(blob::KEPT)?;
+    let kept = match definition.structures() {
+        none if none.is_empty() => folder.read(blob::KEPT)?,
+        structures => packed(folder, &structures)?,
+    };
     products.extend(kept.map(|bytes| Product { kind: ArtifactKind::StudyKept, bytes }));
     Ok(products)
 }

@@ -2,7 +2,7 @@
 //!
 //! The subject is the last of the study's material and has the role `score`. Nothing of the study is stored again.
 
-use super::opened_study::{OpenedStudy, Watched, cohort, failure, internal_error, no_match, opened, settings};
+use super::opened_study::{OpenedStudy, Watched, cohort, failure, internal_error, no_match, opened_with_new, settings};
 use super::prediction::predict;
 use super::study_demand::demand_of;
 use crate::jobs::engine::{Answer, Product};
@@ -84,6 +84,11 @@ pub(super) fn check(definition: &StudyDefinition, asked: &ScoreQuestions) -> Res
         vec![StudyFault { pointer: pointer.to_owned(), code, detail: error.to_string() }]
     };
     let mut cohort = cohort(definition).map_err(|error| fault("", &error))?;
+    if !cohort.structures().is_empty() {
+        let why =
+            "a new subject is compared in a study of one structure, and this one has several; submit a study of each";
+        return Err(fault("", &why));
+    }
     let mut settings = settings(definition).map_err(|error| fault("", &error))?;
     let reference = reference(asked);
     check_group(&cohort, reference.within.as_ref()).map_err(|error| fault("/group", &error))?;
@@ -138,7 +143,7 @@ fn scored(
     observer: &dyn Observer,
 ) -> Result<Product, StudyError> {
     let watcher = Watched(observer);
-    let OpenedStudy { mut study, folder, decisions } = opened(material, true, &watcher)?;
+    let OpenedStudy { mut study, folder, decisions } = opened_with_new(material, &watcher)?;
     let k = study.cohort.subjects.len() - 1;
     let surfaces = SurfaceCache::new(0);
     let mut step = study.advance(&folder, &watcher)?;

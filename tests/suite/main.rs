@@ -56,6 +56,7 @@ mod studies;
 mod study_labels;
 mod study_scores;
 mod study_service;
+mod study_structures;
 mod supply;
 mod tickets;
 mod tidy;

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Two structures side by side in one volume, with labels 17 and 53; returns the voxels of each.
-fn joined(structures: [PathBuf; 2], to: &Path) -> [usize; 2] {
+pub(super) fn joined(structures: [PathBuf; 2], to: &Path) -> [usize; 2] {
     use homolog_mesh::volume::LabelVolume;
     let volumes = structures.map(|file| {
         let read = homolog_formats::read(&fs::read(file).unwrap(), None, &homolog_formats::ReadLimits::default());

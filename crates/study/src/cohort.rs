@@ -1,11 +1,14 @@
 //! The subjects of a study: a table of files with covariates, or the files of a folder.
 //!
 //! The table is CSV with a header. `file` is required; `id`, `subject` (the person, if one person has several visits),
-//! `role`, `side` and `label` are optional. Every other column, and `side` too, is a covariate: a number if all its values
-//! are numbers, otherwise a factor. Empty cells, `NA` and `NaN` are missing values.
+//! `role`, `side`, `label` and `structure` ([`persons`]) are optional. Every other column, and `side` too, is a covariate:
+//! a number if all its values are numbers, otherwise a factor. Empty cells, `NA` and `NaN` are missing values.
+
+pub mod persons;
 
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::LabelChoice;
+use persons::{PersonRows, RowIdentity, StructureRow};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -37,6 +40,9 @@ pub struct Subject {
     /// Labels of its volume that belong to the structure; `None` for those of the settings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub labels: Option<Vec<LabelChoice>>,
+    /// Which structure of which person it is, in a study of several structures.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub structure: Option<StructureRow>,
 }
 
 /// A covariate, a value for each subject.
@@ -81,6 +87,11 @@ pub enum CohortError {
     /// A required column is missing.
     #[error("the table has no column {0}; its header names the columns, such as id,file,group,age")]
     NoColumn(&'static str),
+    /// Rows of several structures do not say whose they are.
+    #[error(
+        "the table has a column structure and no column subject, which names the person whose structures belong together"
+    )]
+    NoSubjects,
     /// Two columns have the same name, or a column has none.
     #[error("column {column} of the table has {fault}; give each column a name of its own")]
     ColumnName {
@@ -102,6 +113,14 @@ pub enum CohortError {
     /// Too few subjects.
     #[error("a study needs at least 3 subjects; there are {0}")]
     TooFew(usize),
+    /// Too few subjects with a structure.
+    #[error("a study needs at least 3 subjects with each structure; {n} have the structure {structure}")]
+    TooFewOfStructure {
+        /// The structure.
+        structure: String,
+        /// Rows with it that are part of the model.
+        n: usize,
+    },
 }
 
 /// Extensions of files that accompany data but are not data.
@@ -129,8 +148,14 @@ impl Cohort {
         }
         let place = |name: &str| header.iter().position(|column| column == name);
         let file_at = place("file").ok_or(CohortError::NoColumn("file"))?;
-        let [id_at, subject_at, role_at, side_at, label_at] = ["id", "subject", "role", "side", "label"].map(place);
-        let own = [Some(file_at), id_at, subject_at, role_at, label_at];
+        let [id_at, subject_at, role_at, side_at, label_at, structure_at] =
+            ["id", "subject", "role", "side", "label", "structure"].map(place);
+        if structure_at.is_some() && subject_at.is_none() {
+            return Err(CohortError::NoSubjects);
+        }
+        let own = [Some(file_at), id_at, subject_at, role_at, label_at, structure_at];
+        let is_covariate = |k: &usize| !own.contains(&Some(*k));
+        let (visit_at, mut persons) = (place("visit"), PersonRows::default());
         let (mut subjects, mut cells): (Vec<Subject>, Vec<Vec<String>>) = (Vec::new(), vec![Vec::new(); header.len()]);
         let mut ids = BTreeSet::new();
         for row in reader.records() {
@@ -140,22 +165,6 @@ impl Cohort {
             let wrong = |column: &str, fault: String| CohortError::Cell { line, column: column.to_owned(), fault };
             let file =
                 cell(Some(file_at)).ok_or_else(|| wrong("file", "is empty; name the subject's file".to_owned()))?;
-            let id = cell(id_at).map_or_else(|| stem(Path::new(file)), str::to_owned);
-            let column = if id_at.is_some() { "id" } else { "file" };
-            if id.is_empty() || !id.chars().all(is_plain) || id.starts_with(['.', '-']) {
-                let fault =
-                    "the id names files, so it has only letters, digits, _, - and ., and does not begin with . or -";
-                return Err(wrong(column, fault.to_owned()));
-            }
-            if is_device(&id) {
-                let fault = "the id names files, and Windows takes it for a device; choose another";
-                return Err(wrong(column, fault.to_owned()));
-            }
-            if !ids.insert(id.to_lowercase()) {
-                let fault =
-                    "an earlier line has the same id (in upper or lower case); add a column id with different ones";
-                return Err(wrong(column, fault.to_owned()));
-            }
             let role = match cell(role_at) {
                 None | Some("model") => Role::Model,
                 Some("score") => Role::Score,
@@ -167,16 +176,38 @@ impl Cohort {
                 BodySide::of_name(text).ok_or_else(|| wrong("side", fault.to_owned()))
             });
             let side = side.transpose()?;
+            let structure = structure_at.map(|_| {
+                let texts =
+                    [cell(subject_at), cell(visit_at).filter(|text| is_present(text)), side.map(BodySide::name)];
+                let texts = texts.map(Option::unwrap_or_default);
+                let cells = (0..header.len()).filter(is_covariate);
+                let cells = cells.map(|k| (&header[k], row.get(k).filter(|text| is_present(text)))).collect();
+                let identity = RowIdentity { structure: cell(structure_at).unwrap_or_default(), texts, role, cells };
+                persons.add(line, &identity).map_err(|(column, fault)| wrong(&column, fault))
+            });
+            let structure = structure.transpose()?;
+            let own_id =
+                || structure.as_ref().map_or_else(|| stem(Path::new(file)), |of| format!("{}.{}", of.of, of.name));
+            let id = cell(id_at).map_or_else(own_id, str::to_owned);
+            let column = if id_at.is_some() { "id" } else { "file" };
+            if let Some(fault) = no_file_name(&id) {
+                return Err(wrong(column, format!("the id names files{fault}")));
+            }
+            if !ids.insert(id.to_lowercase()) {
+                let fault =
+                    "an earlier line has the same id (in upper or lower case); add a column id with different ones";
+                return Err(wrong(column, fault.to_owned()));
+            }
             let labels = cell(label_at).filter(|text| is_present(text)).map(label_choices).transpose();
             let labels = labels.map_err(|fault| wrong("label", fault.to_owned()))?;
             let subject = cell(subject_at).map_or_else(|| id.clone(), str::to_owned);
-            subjects.push(Subject { id, file: folder.join(file), subject, role, side, labels });
+            subjects.push(Subject { id, file: folder.join(file), subject, role, side, labels, structure });
             for (k, (column, text)) in cells.iter_mut().zip(row.iter()).enumerate() {
                 let side = side.filter(|_| side_at == Some(k));
                 column.push(side.map_or_else(|| text.to_owned(), |side| side.name().to_owned()));
             }
         }
-        let covariates = (0..header.len()).filter(|k| !own.contains(&Some(*k)));
+        let covariates = (0..header.len()).filter(is_covariate);
         let covariates = covariates.map(|k| covariate(header.get(k).unwrap_or_default(), &cells[k])).collect();
         Cohort { subjects, covariates }.checked()
     }
@@ -214,14 +245,25 @@ impl Cohort {
             let id: String = if unique { stem(&file) } else { whole(&file) };
             let id: String = id.chars().map(|c| if is_plain(c) { c } else { '_' }).collect();
             let id = if id.starts_with('-') || is_device(&id) { format!("_{id}") } else { id };
-            Subject { subject: id.clone(), id, file, role: Role::Model, side: None, labels: None }
+            Subject { subject: id.clone(), id, file, role: Role::Model, side: None, labels: None, structure: None }
         });
         Cohort { subjects: subjects.collect(), covariates: Vec::new() }.checked()
     }
 
     fn checked(self) -> Result<Self, CohortError> {
         let n = self.subjects.iter().filter(|subject| subject.role == Role::Model).count();
-        if n < 3 { Err(CohortError::TooFew(n)) } else { Ok(self) }
+        if n < 3 {
+            return Err(CohortError::TooFew(n));
+        }
+        for structure in self.structures() {
+            let is_of =
+                |subject: &&Subject| subject.role == Role::Model && subject.structure_name() == Some(&structure);
+            let n = self.subjects.iter().filter(is_of).count();
+            if n < 3 {
+                return Err(CohortError::TooFewOfStructure { structure, n });
+            }
+        }
+        Ok(self)
     }
 
     /// The covariate with a given name.
@@ -238,6 +280,14 @@ impl Cohort {
 
 fn is_plain(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.')
+}
+
+/// Why a text cannot name files, to be read after the words "names files".
+fn no_file_name(text: &str) -> Option<&'static str> {
+    if text.is_empty() || !text.chars().all(is_plain) || text.starts_with(['.', '-']) {
+        return Some(", so it has only letters, digits, _, - and ., and does not begin with . or -");
+    }
+    is_device(text).then_some(", and Windows takes it for a device; choose another")
 }
 
 /// Whether Windows reserves a name, with any extension, for a device, so that no file can have it.

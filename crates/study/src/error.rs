@@ -41,6 +41,14 @@ pub enum StudyError {
         /// Reason of the first failure.
         reason: String,
     },
+    /// A structure of a study of several cannot be studied.
+    #[error("structure {structure}: {error}")]
+    Structure {
+        /// The structure.
+        structure: String,
+        /// The reason.
+        error: Box<StudyError>,
+    },
     /// A shape has no orientation.
     #[error("subject {id} cannot be aligned with the mean: {error}; drop it with a decision")]
     Alignment {

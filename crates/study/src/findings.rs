@@ -2,15 +2,16 @@
 
 use crate::align::{Alignment, WatchedShapes, align, centroid_size, fit_onto, points};
 use crate::cohort::Role;
+use crate::complex::{Complex, measured_by_structure};
 use crate::consistency::{Consistency, consistency};
 use crate::error::StudyError;
 use crate::folder::{Decision, Folder, Verdict};
 use crate::joint::JointFindings;
 use crate::labels::{carried, dice, labels_at, voted};
 use crate::matching::{Interruption, StudyObserver};
-use crate::measures::measured;
 use crate::model::ShapeModel;
 use crate::plan::{Matched, Records, Study};
+use crate::pose::relative_poses;
 use crate::quality::flags;
 use crate::record::{Facts, Record};
 use crate::settings::{Correspondence, Measure, Size, TemplateChoice};
@@ -44,6 +45,8 @@ pub struct Findings {
     pub matched: Matched,
     /// How joint maps were made.
     pub joint: Option<JointFindings>,
+    /// The structures, in a study of several, whose subjects are persons.
+    pub complex: Option<Complex>,
     /// Findings for each subject, in the order of the cohort.
     pub subjects: Vec<SubjectFindings>,
     /// Subjects of the model, as indices into the cohort.
@@ -60,6 +63,14 @@ pub struct Findings {
     pub consistency: Option<Consistency>,
     /// Labels of the template, and their transfer.
     pub labels: Option<LabelFindings>,
+}
+
+impl Findings {
+    /// How joint maps were made: of the subjects, or of each structure.
+    pub fn joint_maps(&self) -> impl Iterator<Item = &JointFindings> {
+        let structures = self.complex.iter().flat_map(|complex| &complex.structures);
+        self.joint.iter().chain(structures.filter_map(|structure| structure.joint.as_ref()))
+    }
 }
 
 /// Labels of the template.
@@ -162,11 +173,28 @@ pub fn find(
     decisions: &[Decision],
     watcher: &dyn StudyObserver,
 ) -> Result<Findings, StudyError> {
+    find_with((study, matched, None), folder, decisions, watcher)
+}
+
+/// [`find`], also for persons with several structures: subjects of `study` are then persons, whose records in `matched` have
+/// the vertices of all structures.
+///
+/// # Errors
+/// [`StudyError`].
+pub(crate) fn find_with(
+    (study, matched, complex): (&Study, &Matched, Option<Complex>),
+    folder: &Folder,
+    decisions: &[Decision],
+    watcher: &dyn StudyObserver,
+) -> Result<Findings, StudyError> {
     let observer = &Interruption(watcher);
     let (cohort, template) = (&study.cohort, &matched.making.template.mesh);
     let (pairs, mut matched) = (matched, matched.clone());
     let (mut subjects, members, joint) = placed(study, &mut matched, folder, decisions, watcher)?;
     let matched = &matched;
+    for (subject, structures) in subjects.iter_mut().zip(complex.iter().flat_map(|complex| &complex.of_persons)) {
+        subject.structures.clone_from(structures);
+    }
     watcher.progress("shape model", 0, 1);
     let keys = |of: &[usize]| of.iter().map(|&k| (matched.keys[k].clone(), cohort.subjects[k].id.clone())).collect();
     let shapes = folder.shapes(keys(&members), template.n_vertices());
@@ -197,25 +225,39 @@ pub fn find(
         (subjects[k].scores, subjects[k].distance) = (scores, Some(distance));
         subjects[k].unusual_p = Some(*p);
     }
-    let sizes: Vec<(usize, f64)> = (0..subjects.len())
+    let mean_size = centroid_size(&alignment.mean, &alignment.weights);
+    let sizes: Vec<_> = (0..subjects.len())
         .into_par_iter()
         .filter(|&k| subjects[k].place != SubjectOutcome::Failed)
         .map(|k| {
             checkpoint(observer)?;
             let record = folder.get(&matched.keys[k])?;
             let shape = record.map(|record| points(&record.points)).unwrap_or_default();
-            Ok((k, centroid_size(&shape, &alignment.weights)))
+            let size = centroid_size(&shape, &alignment.weights);
+            let scale = if study.settings.size == Size::Removed { mean_size / size } else { 1.0 };
+            let poses = complex
+                .iter()
+                .flat_map(|complex| relative_poses(complex, (&shape, scale), &alignment.mean, &alignment.weights));
+            Ok((k, size, poses.collect::<Vec<_>>()))
         })
         .collect::<Result<_, StudyError>>()?;
-    sizes.into_iter().for_each(|(k, size)| subjects[k].size_mm = size);
+    for (k, size, poses) in sizes {
+        subjects[k].size_mm = size;
+        subjects[k].structures.iter_mut().zip(poses).for_each(|(structure, pose)| structure.pose = pose);
+    }
     watcher.progress("labels", 0, 1);
-    let labels = labels(study, matched, folder, &mut subjects, observer)?;
+    let labels = match &complex {
+        None => labels(study, matched, folder, &mut subjects, observer)?,
+        // The numbers of labels of two structures may be the same.
+        Some(_) => None,
+    };
     flags(&mut subjects);
     watcher.progress("statistics", 0, 1);
-    let statistics = statistics(study, matched, folder, &alignment, &mean, &subjects, &members, watcher)?;
+    let complex_of = complex.as_ref();
+    let statistics = statistics(study, matched, complex_of, folder, &alignment, &mean, &subjects, &members, watcher)?;
     let consistency = consistency(study, pairs, matched, folder, observer)?;
     let matched = matched.clone();
-    Ok(Findings { matched, joint, subjects, members, alignment, mean, model, statistics, consistency, labels })
+    Ok(Findings { matched, joint, complex, subjects, members, alignment, mean, model, statistics, consistency, labels })
 }
 
 /// The subjects with their outcomes, the members of the model, and how joint maps were made.
@@ -265,6 +307,7 @@ pub(crate) fn placed(
             flags: Vec::new(),
             urgency: 0.0,
             labels: BTreeMap::new(),
+            structures: Vec::new(),
         });
     }
     let members: Vec<usize> = (0..subjects.len()).filter(|&k| subjects[k].place == SubjectOutcome::Model).collect();
@@ -446,6 +489,7 @@ fn labels(
 fn statistics(
     study: &Study,
     matched: &Matched,
+    complex: Option<&Complex>,
     folder: &Folder,
     alignment: &Alignment,
     mean: &SurfaceMesh,
@@ -484,7 +528,7 @@ fn statistics(
             .par_iter()
             .map(|&k| {
                 let own = mean.with_vertices(shape_on_mean(study, matched, folder, alignment, k)?)?;
-                Ok(measured(measure, mean, &own, observer)?)
+                measured_by_structure(complex, measure, [mean, &own], observer)
             })
             .collect::<Result<_, StudyError>>()?;
         let Some(of_subjects) = of_subjects.into_iter().collect::<Option<Vec<_>>>() else {
@@ -522,7 +566,7 @@ fn statistics(
     Ok(Some(Statistics { design, longitudinal, pairs, degrees, maps, left_out, whole, planning }))
 }
 
-/// Effects in volume, area, size and labels.
+/// Effects in variables of whole subjects.
 fn whole_effects(
     linear: &LinearModel,
     contrasts: &[(&Contrast, Vec<f64>)],
@@ -530,22 +574,8 @@ fn whole_effects(
     compared: &dyn Fn(Vec<Vec<f64>>) -> Vec<Vec<f64>>,
     observer: &dyn Observer,
 ) -> Result<Vec<WholeEffect>, Cancelled> {
-    let rows = || rows.iter();
-    let mut variables: Vec<(String, Vec<f64>)> = Vec::new();
-    let mut add = |name: String, values: Option<Vec<f64>>| variables.extend(values.map(|values| (name, values)));
-    add("volume, mm³".to_owned(), rows().map(|s| s.facts.volume_mm3).collect());
-    add("area, mm²".to_owned(), Some(rows().map(|s| s.facts.area_mm2).collect()));
-    add("centroid size, mm".to_owned(), Some(rows().map(|s| s.size_mm).collect()));
-    let labels: BTreeSet<u32> = rows().flat_map(|subject| subject.labels.keys().copied()).collect();
-    for label in labels {
-        add(
-            format!("volume of label {label}, mm³"),
-            rows().map(|s| s.labels.get(&label).and_then(|l| l.volume_mm3)).collect(),
-        );
-        add(format!("area of label {label}, mm²"), rows().map(|s| s.labels.get(&label).map(|l| l.area_mm2)).collect());
-    }
     let mut effects = Vec::new();
-    for (variable, values) in variables {
+    for (variable, values) in crate::whole::variables(rows) {
         let values = VertexValues::from_subjects(&compared(values.iter().map(|&value| vec![value]).collect()));
         for (Contrast { name, .. }, weights) in contrasts {
             let length = crate::statistics::linear::norm(&linear.observation_weights(weights));

@@ -20,9 +20,8 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::atomic::AtomicU64;
 
-/// Subfolders; the first is the folder itself.
-const PARTS: [&str; 9] =
-    ["", "matches", "matches/joint", "matches/visits", "template", "modes", "maps", "subjects", "labels"];
+/// Subfolders; the first is the folder itself, of which only files are looked at.
+const PARTS: [&str; 7] = ["", "matches", "template", "modes", "maps", "subjects", "labels"];
 
 /// A study's folder.
 #[derive(Debug)]
@@ -144,13 +143,13 @@ impl Folder {
         self.write(&record_name(key), &record.to_bytes())
     }
 
-    /// The kept template, if it was made for these settings.
+    /// The template kept in a subfolder, if it was made for these settings.
     ///
     /// # Errors
     /// [`StudyError::Damaged`]; [`StudyError::File`].
-    pub fn kept(&self, asked: &str) -> Result<Option<(Kept, Template)>, StudyError> {
-        let Some(text) = self.read("template/kept.json")? else { return Ok(None) };
-        let path = self.place.path("template");
+    pub fn kept(&self, part: &str, asked: &str) -> Result<Option<(Kept, Template)>, StudyError> {
+        let Some(text) = self.read(&format!("{part}/kept.json"))? else { return Ok(None) };
+        let path = self.place.path(part);
         let damaged = |why: &str| StudyError::Damaged {
             path: path.clone(),
             why: format!("{why}; delete this folder, and the template is made again"),
@@ -159,7 +158,7 @@ impl Folder {
         if kept.asked != asked {
             return Ok(None);
         }
-        let ply = self.read("template/template.ply")?.ok_or_else(|| damaged("template.ply is missing"))?;
+        let ply = self.read(&format!("{part}/template.ply"))?.ok_or_else(|| damaged("template.ply is missing"))?;
         if hash(&ply) != kept.hash {
             return Err(damaged("template.ply has changed"));
         }
@@ -167,18 +166,26 @@ impl Folder {
         Ok(Some((kept.clone(), Template { mesh, hash: kept.hash, ply })))
     }
 
-    /// Stores a template: first the surface, then the file that names it.
+    /// Stores a template in a subfolder: first the surface, then the file that names it.
     ///
     /// # Errors
     /// [`StudyError::File`].
-    pub fn keep_template(&self, kept: &Kept, making: &TemplateHistory) -> Result<(), StudyError> {
-        self.write("template/template.ply", &making.template.ply)?;
-        self.write("template/kept.json", &json(kept))
+    pub fn keep_template(&self, part: &str, kept: &Kept, making: &TemplateHistory) -> Result<(), StudyError> {
+        self.write(&format!("{part}/template.ply"), &making.template.ply)?;
+        self.write(&format!("{part}/kept.json"), &json(kept))
     }
 
     /// The shapes of records, read from their files in parts.
     pub(crate) fn shapes(&self, keys: Vec<(String, String)>, n_vertices: usize) -> RecordedShapes<'_> {
         RecordedShapes { folder: self, keys, n_vertices }
+    }
+
+    /// Removes the records of a subfolder of those of matches that are not among these, and its other files except `others`.
+    pub(crate) fn keep_records(&self, part: &str, keys: &[String], others: &[&str]) {
+        let file = |key: &String| Some(format!("{}.match", key.strip_prefix(part)?.strip_prefix('/')?));
+        let mut names: BTreeSet<String> = keys.iter().filter_map(file).collect();
+        names.extend(others.iter().map(|name| (*name).to_owned()));
+        self.keep_only(&format!("matches/{part}"), &names);
     }
 
     /// Removes the files of a folder of outputs that are not among these names.

@@ -17,6 +17,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Memory for prepared surfaces, bytes; the template is prepared only once.
 const PREPARED_BYTES: u64 = 256 << 20;
+/// Subfolder of the kept template.
+const TEMPLATE: &str = "template";
 
 /// Receives the progress of a study, from one thread at a time, and may interrupt it.
 pub trait StudyObserver: Sync {
@@ -65,10 +67,17 @@ impl Study {
                 return Err(StudyError::Changed { path: subject.file.clone() });
             }
         }
+        let structures = cohort.structures();
+        if structures.len() > 1 {
+            let why = format!("this is for one structure, and the table has {}", structures.join(", "));
+            return Err(StudyError::Settings(why));
+        }
         settings.template_side = crate::sides::template_side(&cohort, &settings)?;
         let asked = asked(&settings);
         // Other labels of the subjects that it was made from are another template.
-        let kept = folder.kept(&asked)?.filter(|(kept, _)| kept.labels == stated_labels(&cohort, &kept.from));
+        let kept = folder
+            .kept(&cohort.subfolder(TEMPLATE), &asked)?
+            .filter(|(kept, _)| kept.labels == stated_labels(&cohort, &kept.from));
         let by_id = |id: &String| {
             let place = cohort.subjects.iter().position(|subject| subject.id == *id);
             place
@@ -194,7 +203,7 @@ impl Study {
             ring: self.settings.cycle_ring.clone(),
             rounds: making.rounds.clone(),
         };
-        folder.keep_template(&kept, making)?;
+        folder.keep_template(&self.cohort.subfolder(TEMPLATE), &kept, making)?;
         self.kept = Some(making.clone());
         Ok(())
     }

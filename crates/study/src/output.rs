@@ -126,13 +126,18 @@ pub fn write(
         folder.write("decisions.csv", decisions_table(&[]).as_bytes())?;
     }
     folder.write("report.html", page(study, found, folder, commit, observer)?.as_bytes())?;
+    // Of several structures the rows are stated, not the persons that are made of them.
+    let (cohort, hashes, settings) = match &found.complex {
+        None => (&study.cohort, &study.hashes, &study.settings),
+        Some(complex) => (&complex.rows, &complex.hashes, &complex.settings),
+    };
     let document = StudyDocument {
         format: FORMAT,
         version: env!("CARGO_PKG_VERSION").to_owned(),
         commit: commit.to_owned(),
-        cohort: study.cohort.clone(),
-        hashes: study.hashes.clone(),
-        settings: study.settings.clone(),
+        cohort: cohort.clone(),
+        hashes: hashes.clone(),
+        settings: settings.clone(),
         decisions: decisions.to_vec(),
         template: found.matched.making.template.hash.clone(),
         rounds: found.matched.making.rounds.clone(),
@@ -294,6 +299,20 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
     columns.push(("area_mm2".to_owned(), number(&|k| Some(matched(k)?.facts.area_mm2))));
     columns.push(("centroid_size_mm".to_owned(), number(&|k| Some(matched(k)?.size_mm))));
     columns.push(("residual_mm".to_owned(), number(&|k| Some(matched(k)?.facts.residual_mm))));
+    for (at, name) in found.complex.iter().flat_map(|complex| complex.structures.iter().map(|of| &of.name).enumerate())
+    {
+        let facts = |k: usize| Some(&of[k].structures.get(at)?.facts).filter(|facts| facts.error.is_none());
+        columns.push((format!("volume_mm3.{name}"), number(&|k| facts(k)?.volume_mm3)));
+        columns.push((format!("area_mm2.{name}"), number(&|k| Some(facts(k)?.area_mm2))));
+        columns.push((format!("residual_mm.{name}"), number(&|k| Some(facts(k)?.residual_mm))));
+        if at > 0 {
+            let pose = |k: usize| of[k].structures.get(at)?.pose;
+            for (axis, word) in ["x", "y", "z"].into_iter().enumerate() {
+                columns.push((format!("shift_{word}_mm.{name}"), number(&|k| Some(pose(k)?.shift_mm[axis]))));
+            }
+            columns.push((format!("rotation_degrees.{name}"), number(&|k| Some(pose(k)?.rotation_degrees))));
+        }
+    }
     columns.push(("mahalanobis_squared".to_owned(), number(&|k| of[k].distance)));
     columns.push(("mahalanobis_p".to_owned(), number(&|k| of[k].unusual_p)));
     for label in found.labels.iter().flat_map(|labels| &labels.labels) {
@@ -431,7 +450,7 @@ fn figures(study: &Study, found: &Findings) -> serde_json::Value {
     });
     let whole: Vec<_> = found.statistics.iter().flat_map(|statistics| &statistics.whole).collect();
     let planning: Vec<_> = found.statistics.iter().flat_map(|statistics| &statistics.planning).collect();
-    let mut summary = serde_json::json!({
+    let mut figures = serde_json::json!({
         "subjects": {
             "model": places(SubjectOutcome::Model),
             "scored": places(SubjectOutcome::Scored),
@@ -455,7 +474,10 @@ fn figures(study: &Study, found: &Findings) -> serde_json::Value {
     });
     if study.settings.visits == Visits::OwnTemplate {
         let (own, persons) = (found.matched.own.len(), study.persons.len());
-        summary["own_templates"] = serde_json::json!({"persons": own, "matched_directly": persons - own});
+        figures["own_templates"] = serde_json::json!({"persons": own, "matched_directly": persons - own});
     }
-    summary
+    if let Some(complex) = &found.complex {
+        figures["structures"] = serde_json::json!(complex.structures);
+    }
+    figures
 }

@@ -38,11 +38,25 @@ pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
     let of = |value: &dyn Fn(&SubjectFindings) -> f64| {
         deviations(&matched.iter().map(|&k| value(&subjects[k])).collect::<Vec<_>>())
     };
-    let residual = of(&|s| s.facts.residual_mm.max(1e-12).ln());
+    let mut residual = of(&|s| s.facts.residual_mm.max(1e-12).ln());
     let folds = of(&|s| s.facts.folded);
+    // Of structures each is compared with the same structure of the others: the largest would hide the rest.
+    let mut reasons: Vec<(usize, String)> = Vec::new();
+    let n_structures = matched.first().map_or(0, |&k| subjects[k].structures.len());
+    for at in 0..n_structures {
+        let of_structure = of(&|s| s.structures[at].facts.residual_mm.max(1e-12).ln());
+        for ((most, own), &k) in residual.iter_mut().zip(of_structure).zip(&matched) {
+            *most = most.max(own);
+            if own > UNUSUAL {
+                let reason = format!("{}: {}", subjects[k].structures[at].name, Flag::UnusualResidual.title());
+                reasons.push((k, reason));
+            }
+        }
+    }
     // Squared distances are skewed; their logarithms are nearly normal.
     let shape = of(&|s| s.distance.unwrap_or(1.0).max(1e-12).ln());
     let size = of(&|s| s.size_mm.max(1e-12).ln());
+    reasons.into_iter().for_each(|(k, reason)| subjects[k].facts.reasons.push(reason));
     for (row, &k) in matched.iter().enumerate() {
         let subject = &mut subjects[k];
         let mut raise = |flag: Flag, is_raised: bool| {

@@ -146,8 +146,13 @@ pub struct SubjectScore {
 /// # Errors
 /// [`StudyError::Settings`] if the subject has a side and the study has none, or the other way round.
 pub fn add(cohort: &mut Cohort, settings: &mut Settings, new: NewSubject) -> Result<usize, StudyError> {
-    settings.template_side = crate::sides::template_side(cohort, settings)?;
     let fault = |text: &str| Err(StudyError::Settings(text.to_owned()));
+    if !cohort.structures().is_empty() {
+        return fault(
+            "a new subject is compared in a study of one structure; make one of each, with a table of its rows",
+        );
+    }
+    settings.template_side = crate::sides::template_side(cohort, settings)?;
     match (settings.template_side, new.side) {
         (Some(_), None) => return fault("the study has sides: state that of the subject, left or right"),
         (None, Some(_)) => return fault("the study has no sides: leave that of the subject out"),
@@ -162,7 +167,7 @@ pub fn add(cohort: &mut Cohort, settings: &mut Settings, new: NewSubject) -> Res
         }
     }
     let NewSubject { file, side, labels } = new;
-    cohort.subjects.push(Subject { subject: id.clone(), id, file, role: Role::Score, side, labels });
+    cohort.subjects.push(Subject { subject: id.clone(), id, file, role: Role::Score, side, labels, structure: None });
     Ok(cohort.subjects.len() - 1)
 }
 

@@ -3,6 +3,7 @@
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::MatchParameters;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// Settings of a study.
@@ -51,7 +52,7 @@ pub enum TemplateChoice {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MadeTemplate {
-    /// Id of the subject whose surface is the first template; `None` for the subject of median volume.
+    /// Id of the subject, or of the person with several structures, whose surface is the first template; `None` for the subject of median volume.
     pub start: Option<String>,
     /// Largest number of subjects the template is made from, spread evenly over the table; 0 for all.
     pub subjects: usize,
@@ -63,11 +64,15 @@ pub struct MadeTemplate {
     /// RMS movement of the surface in a round, as a share of its mean edge length, below which the template is
     /// finished.
     pub tolerance: f64,
+    /// Structures whose template is not made but given, by name: the files.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub given: BTreeMap<String, PathBuf>,
 }
 
 impl Default for MadeTemplate {
     fn default() -> Self {
-        MadeTemplate { start: None, subjects: 12, from: Vec::new(), max_rounds: 8, tolerance: 0.05 }
+        let (from, given) = (Vec::new(), BTreeMap::new());
+        MadeTemplate { start: None, subjects: 12, from, max_rounds: 8, tolerance: 0.05, given }
     }
 }
 

@@ -135,21 +135,22 @@ impl Storage {
         }
     }
 
-    /// Removes unfinished files of killed processes from these subfolders.
+    /// Removes unfinished files of killed processes from these subfolders and the folders in them; of the folder itself,
+    /// `""`, from that alone.
     ///
     /// # Errors
     /// The subfolder that cannot be read, and the reason.
     pub(crate) fn sweep(&self, parts: &[&str]) -> Result<(), (PathBuf, io::Error)> {
         let Storage::Disk(folder, _) = self else { return Ok(()) };
-        for part in parts {
-            let part = folder.join(part);
-            if !part.is_dir() {
-                continue;
-            }
+        let mut left: Vec<(PathBuf, bool)> =
+            parts.iter().map(|part| (folder.join(part), !part.is_empty())).filter(|(part, _)| part.is_dir()).collect();
+        while let Some((part, is_deep)) = left.pop() {
             for entry in fs::read_dir(&part).map_err(|error| (part.clone(), error))?.flatten() {
                 if entry.file_name().to_string_lossy().ends_with(UNFINISHED) {
                     // A file that is already gone is not an error.
                     let _ = fs::remove_file(entry.path());
+                } else if is_deep && entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                    left.push((entry.path(), true));
                 }
             }
         }

@@ -75,6 +75,26 @@ pub struct LabelSize {
     pub volume_mm3: Option<f64>,
 }
 
+/// Pose of a structure of one person relative to the mean configuration, once the first structure lies on that of the mean.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RelativePose {
+    /// Shift of the centroid along the axes of the mean, mm.
+    pub shift_mm: [f64; 3],
+    /// Angle of the rotation, degrees, from 0 to 180.
+    pub rotation_degrees: f64,
+}
+
+/// Findings for one structure of a person, in a study of several.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StructureFindings {
+    /// The structure.
+    pub name: String,
+    /// Facts on its surface and its match.
+    pub facts: Facts,
+    /// Its pose; `None` for the first structure, and where a structure has no match.
+    pub pose: Option<RelativePose>,
+}
+
 /// Findings for one subject.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SubjectFindings {
@@ -98,4 +118,6 @@ pub struct SubjectFindings {
     pub urgency: f64,
     /// Size of each label.
     pub labels: BTreeMap<u32, LabelSize>,
+    /// Its structures in alphabetical order; empty in a study of one.
+    pub structures: Vec<StructureFindings>,
 }

@@ -93,15 +93,19 @@ pub(super) fn checked(
 ) -> Result<Vec<SubmittedSubject>, Problem> {
     let mut taken = Vec::with_capacity(subjects.len());
     for (number, document) in subjects.into_iter().enumerate() {
-        let StudySubjectDocument { id, input, subject, role, side, labels, covariates } = document;
+        let StudySubjectDocument { id, input, subject, role, side, labels, structure, covariates } = document;
         if id.len() > MAX_ID {
             let detail = format!("must have at most {MAX_ID} characters");
             faults.push(FieldError::new(format!("/subjects/{number}/id"), "out_of_range", detail));
         }
+        if structure.as_ref().is_some_and(|name| name.len() > MAX_ID) {
+            let detail = format!("must have at most {MAX_ID} characters");
+            faults.push(FieldError::new(format!("/subjects/{number}/structure"), "out_of_range", detail));
+        }
         match referred(&format!("subjects/{number}/input"), input, files, &state.limits) {
             Ok(input) => {
                 let (role, covariates) = (role.unwrap_or_default(), covariates.0);
-                taken.push(SubmittedSubject { id, subject, role, side, labels, covariates, input });
+                taken.push(SubmittedSubject { id, subject, role, side, labels, structure, covariates, input });
             }
             Err(more) => faults.extend(more),
         }

@@ -17,7 +17,6 @@ use crate::visits::OwnMaps;
 use homolog_primitives::observe::{Observer, checkpoint};
 use parking_lot::Mutex;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Memory for the surfaces of subjects, bytes; those beyond it are read again in each round.
@@ -26,9 +25,10 @@ pub(crate) const SURFACES_BYTES: usize = 256 << 20;
 const FEWEST: usize = 3;
 /// Version of the algorithm in the names of records.
 const VERSION: &str = "joint 1";
-/// Subfolder of the records, and the file about them.
-const PART: &str = "matches/joint";
-const ABOUT: &str = "matches/joint/group.json";
+/// Subfolder of the records among those of matches.
+const PART: &str = "joint";
+/// The file about them.
+const ABOUT: &str = "group.json";
 
 /// The joint maps of a study.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -116,15 +116,20 @@ pub(crate) fn revised(
     for part in [VERSION, env!("CARGO_PKG_VERSION"), &template.hash, &how].into_iter().chain(keys) {
         hasher.update(part.as_bytes()).update(&[0]);
     }
+    if study.cohort.subjects.iter().any(|subject| subject.labels.is_some()) {
+        // Earlier builds took every label of such volumes.
+        hasher.update(b"labels of rows");
+    }
     let group = hasher.finalize().to_hex().to_string();
+    let part = study.cohort.subfolder(PART);
     let key = |row: usize| {
         let row_in_model = if row < n_core { row.to_string() } else { "another".to_owned() };
         let text = [group.as_str(), &row_in_model, order[row].key].join(" ");
-        format!("joint/{}", blake3::hash(text.as_bytes()).to_hex())
+        format!("{part}/{}", blake3::hash(text.as_bytes()).to_hex())
     };
     let of_visit = |revised: &str, visit: &str| {
         let text = [revised, visit].join(" ");
-        format!("joint/{}", blake3::hash(text.as_bytes()).to_hex())
+        format!("{part}/{}", blake3::hash(text.as_bytes()).to_hex())
     };
     // The keys of all rows, and those of the templates of persons.
     let revised_keys: Vec<String> = (0..order.len()).map(key).collect();
@@ -138,9 +143,10 @@ pub(crate) fn revised(
         let with_map = visits.filter(|(k, _)| subjects[**k].place != SubjectOutcome::Failed);
         row_keys.extend(with_map.map(|(&k, visit)| (k, of_visit(key, visit))));
     }
-    let keys = || revised_keys.iter().chain(row_keys.iter().map(|(_, key)| key));
-    let about = folder.read(ABOUT)?.and_then(|text| serde_json::from_slice::<JointFindings>(&text).ok());
-    let known = about.filter(|about| about.group == group && keys().all(|key| folder.has(key)));
+    let keys: Vec<String> = revised_keys.iter().chain(row_keys.iter().map(|(_, key)| key)).cloned().collect();
+    let about_at = format!("matches/{part}/{ABOUT}");
+    let about = folder.read(&about_at)?.and_then(|text| serde_json::from_slice::<JointFindings>(&text).ok());
+    let known = about.filter(|about| about.group == group && keys.iter().all(|key| folder.has(key)));
     let findings = match known {
         Some(findings) => findings,
         None => {
@@ -180,14 +186,11 @@ pub(crate) fn revised(
                 stiffness: found.stiffness,
             };
             // Written last: it says that the records are complete.
-            folder.write(ABOUT, &json(&findings))?;
+            folder.write(&about_at, &json(&findings))?;
             findings
         }
     };
-    let file = |key: &String| key.strip_prefix("joint/").map(|name| format!("{name}.match"));
-    let mut names: BTreeSet<String> = keys().filter_map(file).collect();
-    names.insert("group.json".to_owned());
-    folder.keep_only(PART, &names);
+    folder.keep_records(&part, &keys, &[ABOUT]);
     for (k, key) in row_keys {
         if let Some(record) = folder.get(&key)? {
             subjects[k].facts = record.facts;

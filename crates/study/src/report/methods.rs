@@ -1,7 +1,9 @@
 //! Description of the methods of the study for a supplement, with versions and parameters.
 
 use super::escaped;
+use crate::complex::Structure;
 use crate::findings::Findings;
+use crate::joint::JointFindings;
 use crate::plan::Study;
 use crate::settings::{Size, TemplateChoice, Visits};
 use homolog_contract::parameters::Method;
@@ -11,25 +13,9 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
     let settings = &study.settings;
     let n = found.members.len();
     let mut paragraphs = Vec::new();
-    let template = match &settings.template {
-        TemplateChoice::Given { .. } => "A given template was matched to every subject".to_owned(),
-        TemplateChoice::Made(how) => {
-            let rounds = &found.matched.making.rounds;
-            let last = rounds.last().map_or(0.0, |round| round.moved_share);
-            format!(
-                "A template was made from {} subjects in {} rounds: the surface of {} was matched to each of them, their \
-                 images were averaged after Procrustes alignment, and the mean, with vertices where those of the template before lie on it, \
-                 became the next template, until the surface moved by {last:.3} of its mean edge (RMS; stop below {} or after {} \
-                 rounds). It was matched to every subject",
-                how.from.len(),
-                rounds.len(),
-                how.start
-                    .as_ref()
-                    .map_or("the subject of median size".to_owned(), |id| format!("subject {}", escaped(id))),
-                how.tolerance,
-                how.max_rounds
-            )
-        }
+    let template = match &found.complex {
+        None => whole_template(study, found),
+        Some(complex) => of_structures(&complex.structures),
     };
     paragraphs.push(format!(
         "{template} (method {}, seed {}). All shapes have the {} vertices of the template.",
@@ -54,18 +40,10 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
              the map to the visit. All other visits were matched directly."
         ));
     }
-    if let Some(joint) = &found.joint {
-        let slid = joint.rounds.last().map_or(0.0, |round| round.slid_mm);
-        paragraphs.push(format!(
-            "The maps of all subjects were then revised together in {} rounds, the last of which moved vertices along the surfaces by \
-             {slid:.3} mm (RMS): each map under a Gaussian model of the other subjects ({} modes, made from {} subjects, a {} of them \
-             left out in turn), with a smooth field between model and subject (stiffness {:.2}). The model has not seen covariates.",
-            joint.rounds.len(),
-            joint.modes,
-            joint.subjects,
-            if joint.subjects <= 20 { "single one" } else { "twentieth" },
-            joint.stiffness
-        ));
+    paragraphs.extend(found.joint.as_ref().map(|joint| joint_maps("all subjects", joint)));
+    for structure in found.complex.iter().flat_map(|complex| &complex.structures) {
+        let what = format!("the {}", escaped(&structure.name));
+        paragraphs.extend(structure.joint.as_ref().map(|joint| joint_maps(&what, joint)));
     }
     if let Some(statistics) = &found.statistics {
         let columns: Vec<String> = statistics.design.columns.iter().map(|column| escaped(column)).collect();
@@ -122,6 +100,70 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
     )
 }
 
+/// How the template of one structure was made and matched.
+fn whole_template(study: &Study, found: &Findings) -> String {
+    match &study.settings.template {
+        TemplateChoice::Given { .. } => "A given template was matched to every subject".to_owned(),
+        TemplateChoice::Made(how) => {
+            let rounds = &found.matched.making.rounds;
+            let last = rounds.last().map_or(0.0, |round| round.moved_share);
+            format!(
+                "A template was made from {} subjects in {} rounds: the surface of {} was matched to each of them, their \
+                 images were averaged after Procrustes alignment, and the mean, with vertices where those of the template before lie on it, \
+                 became the next template, until the surface moved by {last:.3} of its mean edge (RMS; stop below {} or after {} \
+                 rounds). It was matched to every subject",
+                how.from.len(),
+                rounds.len(),
+                how.start
+                    .as_ref()
+                    .map_or("the subject of median size".to_owned(), |id| format!("subject {}", escaped(id))),
+                how.tolerance,
+                how.max_rounds
+            )
+        }
+    }
+}
+
+/// How the templates of several structures were made and matched.
+fn of_structures(structures: &[Structure]) -> String {
+    let template = |structure: &Structure| {
+        let name = escaped(&structure.name);
+        match structure.rounds.last() {
+            None => format!("{name}: given"),
+            Some(last) => format!(
+                "{name}: made from {} subjects in {} rounds, the last of which moved its surface by {:.3} of its mean edge (RMS)",
+                last.subjects,
+                structure.rounds.len(),
+                last.moved_share
+            ),
+        }
+    };
+    let templates: Vec<String> = structures.iter().map(template).collect();
+    let first = structures.first().map_or(String::new(), |first| escaped(&first.name));
+    format!(
+        "Each structure has a template of its own ({}), which was matched to that structure of every subject. The mapped templates of a \
+         subject, in its coordinates, are one shape, so that the pose of the structures relative to one another is part of shape. Shift \
+         and rotation of a structure are those that remain relative to the mean after rigid alignment of {first}. The maps are one map \
+         each over all structures, and clusters do not extend over several",
+        templates.join("; ")
+    )
+}
+
+/// How joint maps were made.
+fn joint_maps(whose: &str, joint: &JointFindings) -> String {
+    let slid = joint.rounds.last().map_or(0.0, |round| round.slid_mm);
+    format!(
+        "The maps of {whose} were then revised together in {} rounds, the last of which moved vertices along the surfaces by \
+         {slid:.3} mm (RMS): each map under a Gaussian model of the other subjects ({} modes, made from {} subjects, a {} of them \
+         left out in turn), with a smooth field between model and subject (stiffness {:.2}). The model has not seen covariates.",
+        joint.rounds.len(),
+        joint.modes,
+        joint.subjects,
+        if joint.subjects <= 20 { "single one" } else { "twentieth" },
+        joint.stiffness
+    )
+}
+
 /// The literature of what this study used, for a supplement.
 pub(super) fn references(study: &Study, found: &Findings) -> String {
     let settings = &study.settings;
@@ -139,7 +181,7 @@ pub(super) fn references(study: &Study, found: &Findings) -> String {
     if settings.visits == Visits::OwnTemplate {
         list.push(OWN_TEMPLATES);
     }
-    if found.joint.is_some() {
+    if found.joint_maps().next().is_some() {
         list.extend([ENTROPY, PROBABILISTIC_COMPONENTS]);
     }
     if let Some(statistics) = &found.statistics {

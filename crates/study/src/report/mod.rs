@@ -12,7 +12,7 @@ use crate::error::StudyError;
 use crate::findings::{Findings, shape_on_mean};
 use crate::folder::Folder;
 use crate::measures::measured;
-use crate::plan::Study;
+use crate::plan::{Matched, Round, Study};
 use crate::quality::most_urgent_first;
 use crate::settings::Measure;
 use crate::subjects::SubjectOutcome;
@@ -74,7 +74,7 @@ pub(crate) fn page(
         view.section,
         effects(study, found),
         model(found),
-        template(found),
+        template(found)?,
         consistency(found),
         labels(found),
         methods::text(study, found, commit),
@@ -135,7 +135,8 @@ fn p_value(p: f64) -> String {
 /// A reason to doubt a match, with advice specific to studies where there is one.
 fn reason_in_words(reason: &str) -> String {
     let words = escaped(&reason.replace('_', " "));
-    if reason == UnreliableReason::OtherHandedness.name() {
+    // Of several structures, the one that is doubted stands before its reason.
+    if reason.rsplit(": ").next() == Some(UnreliableReason::OtherHandedness.name()) {
         return format!("{words}: if it lies on the other side than the template, state its side (column side)");
     }
     words
@@ -453,11 +454,25 @@ fn model(found: &Findings) -> String {
     )
 }
 
-fn template(found: &Findings) -> String {
-    let rounds = &found.matched.making.rounds;
-    let mesh = &found.matched.making.template.mesh;
+fn template(found: &Findings) -> Result<String, StudyError> {
+    let Matched { making, .. } = &found.matched;
+    let whole = &making.template.mesh;
+    let structures = found.complex.iter().flat_map(|complex| &complex.structures);
+    let mut html = "<h2>Template</h2>\n".to_owned();
+    if found.complex.is_none() {
+        html.push_str(&template_of("", whole, &making.rounds));
+    }
+    for structure in structures {
+        let name = format!("{}: ", escaped(&structure.name));
+        html.push_str(&template_of(&name, &structure.of(whole)?, &structure.rounds));
+    }
+    Ok(html)
+}
+
+/// A template and its rounds; `name` begins the text.
+fn template_of(name: &str, mesh: &SurfaceMesh, rounds: &[Round]) -> String {
     let mut html = format!(
-        "<h2>Template</h2>\n<p>{} vertices, mean edge {:.2} mm, {}.</p>\n",
+        "<p>{name}{} vertices, mean edge {:.2} mm, {}.</p>\n",
         mesh.n_vertices(),
         mesh.mean_edge_length(),
         if rounds.is_empty() { "given" } else { "made from the group" }

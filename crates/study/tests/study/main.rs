@@ -18,6 +18,8 @@ mod real_data;
 mod score;
 mod sides;
 mod statistics;
+mod structures;
+mod structures_matched;
 mod study;
 mod template;
 mod visits;

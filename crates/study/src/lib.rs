@@ -31,7 +31,7 @@ pub mod statistics;
 pub mod storage;
 pub mod structures;
 pub mod subjects;
-pub mod visits;
+mod visits;
 mod whole;
 
 pub use error::StudyError;

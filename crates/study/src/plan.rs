@@ -5,13 +5,16 @@
 //! in any order, on any machine, through any queue. Records are named by their inputs ([`Task::key`]), so that nothing
 //! is computed twice.
 
+mod visits;
+
+pub use visits::{OwnMaps, Person};
+
 use crate::align::{WatchedShapes, align};
 use crate::average::{next_template, triangle_quality};
 use crate::cohort::{Cohort, Role};
 use crate::error::StudyError;
 use crate::record::Record;
 use crate::settings::{MadeTemplate, Settings, Size, TemplateChoice};
-use crate::visits::{OwnMaps, Person, PersonsState};
 use homolog_contract::parameters::{InputParameters, LabelChoice, MatchParameters};
 use homolog_formats::ply::write_ply;
 use homolog_mesh::{SurfaceMesh, repair};
@@ -19,6 +22,7 @@ use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
+use visits::PersonsState;
 
 /// A surface to which subjects are matched.
 #[derive(Debug, Clone, PartialEq)]

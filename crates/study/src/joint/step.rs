@@ -10,10 +10,9 @@
 use super::{Group, JointRound, JointSettings, Slidable, Surfaces};
 use crate::error::StudyError;
 use crate::folder::{Folder, json};
-use crate::plan::{Matched, Records, Study};
+use crate::plan::{Matched, OwnMaps, Records, Study};
 use crate::record::{Facts, Record, folded};
 use crate::subjects::{SubjectFindings, SubjectOutcome};
-use crate::visits::OwnMaps;
 use homolog_primitives::observe::{Observer, checkpoint};
 use parking_lot::Mutex;
 use serde::{Deserialize, Serialize};

@@ -2,11 +2,10 @@
 //!
 //! They follow from the matches, so they can be lost, and are named by both of them.
 
-use super::OwnMaps;
 use crate::align::{area_weights, fit_onto, points};
 use crate::error::StudyError;
 use crate::folder::{Folder, record_name};
-use crate::plan::{Matched, Records, Study};
+use crate::plan::{Matched, OwnMaps, Records, Study};
 use crate::record::{Facts, Record, distances, folded};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};

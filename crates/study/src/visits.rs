@@ -8,7 +8,7 @@
 //!    *first* template of the person, and that visit keeps no part in it but its triangles;
 //! 2. the first template is matched to every visit. The mean of its images, in which all visits are treated alike, is the
 //!    person's template. Its vertices are those of the first one, so its map to each visit is known and costs no match;
-//! 3. the template of the group is matched to the person's template, once for all visits ([`plan`]);
+//! 3. the template of the group is matched to the person's template, once for all visits ([`crate::plan`]);
 //! 4. the map to a visit is the composition of both ([`composed`]), so that the error of the match of two subjects is the
 //!    same for all visits of a person and cancels from their changes.
 //!
@@ -19,16 +19,14 @@
 //! NeuroImage 61, 2012.
 
 mod composed;
-mod plan;
 
 pub(crate) use composed::kept;
-pub(crate) use plan::PersonsState;
 
 use crate::cohort::Cohort;
 use crate::error::StudyError;
 use crate::folder::Folder;
 use crate::matching::{Interruption, StudyObserver};
-use crate::plan::Study;
+use crate::plan::{Person, Study};
 use crate::settings::Visits;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::checkpoint;
@@ -36,28 +34,6 @@ use homolog_run::intake::{IntakeLimits, prepare_surface};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// The visits of a person on one side, and the surface from which its own template is made.
-#[derive(Debug, Clone)]
-pub struct Person {
-    /// Its rows, at least two, as indices into the cohort; their order does not depend on the order of the table.
-    pub visits: Vec<usize>,
-    /// The visit of median volume.
-    pub start: usize,
-    /// The surface of that visit, on the side of the template, with all vertices of its file.
-    pub surface: Arc<SurfaceMesh>,
-}
-
-/// The maps of a person that has a template of its own.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct OwnMaps {
-    /// The person, as an index into [`Study::persons`].
-    pub person: usize,
-    /// Key of the match of the template of the group to the person's.
-    pub onto: String,
-    /// Keys of the matches of the person's first template to each of its visits, in the order of [`Person::visits`].
-    pub visits: Vec<String>,
-}
 
 /// The rows that are visits of one person: two or more of one subject, side and role.
 fn rows(cohort: &Cohort) -> Vec<Vec<usize>> {

@@ -1,6 +1,5 @@
 //! The matches that the templates of persons need, as a pure function of the finished ones.
 
-use super::{OwnMaps, Person};
 use crate::align::{WatchedShapes, align, fit_onto};
 use crate::error::StudyError;
 use crate::plan::{Purpose, Records, Step, Study, Task, Template, distinct};
@@ -8,11 +7,34 @@ use crate::settings::Size;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Persons whose templates are in memory at a time.
 const AT_A_TIME: usize = 256;
 /// Fewest visits of which a mean is made.
 const FEWEST: usize = 2;
+
+/// The visits of a person on one side, and the surface from which its own template is made.
+#[derive(Debug, Clone)]
+pub struct Person {
+    /// Its rows, at least two, as indices into the cohort; their order does not depend on the order of the table.
+    pub visits: Vec<usize>,
+    /// The visit of median volume.
+    pub start: usize,
+    /// The surface of that visit, on the side of the template, with all vertices of its file.
+    pub surface: Arc<SurfaceMesh>,
+}
+
+/// The maps of a person that has a template of its own.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OwnMaps {
+    /// The person, as an index into [`Study::persons`].
+    pub person: usize,
+    /// Key of the match of the template of the group to the person's.
+    pub onto: String,
+    /// Keys of the matches of the person's first template to each of its visits, in the order of [`Person::visits`].
+    pub visits: Vec<String>,
+}
 
 /// Missing matches of persons, or their maps.
 pub(crate) enum PersonsState {

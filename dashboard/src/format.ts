@@ -38,7 +38,7 @@ export const shortId = (id: string): string => id.slice(-8);
 /** Why an answer is not reliable, and what to check; as in docs/results.md. */
 export const REASONS: Record<string, { meaning: string; check: string }> = {
   unlike_shape: {
-    meaning: "Corresponding points differ in curvature or direction, or one surface is much longer than the other.",
+    meaning: "One surface is drawn out far to become the other, compared with how well curvatures of corresponding points agree.",
     check: "Do both files show the same structure? Is a part of one missing?",
   },
   other_handedness: {

@@ -6,8 +6,8 @@
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum UnreliableReason {
-    /// Corresponding points have different curvatures or normals, one surface has to be drawn out far to become the other, or
-    /// one closed surface is longer by half: they show different structures.
+    /// One surface has to be drawn out about as far to become the other as curvatures of corresponding points agree: they show
+    /// different structures.
     UnlikeShape,
     /// A mirrored copy of the source fits better: the two are of different sides, which `input.source.mirror: true` matches, or one
     /// image is mirrored.

@@ -127,8 +127,8 @@ impl UnreliableReason {
     pub fn meaning(self) -> &'static str {
         match self {
             UnreliableReason::UnlikeShape => {
-                "The two surfaces seem to show different structures: curvatures or normals of corresponding points \
-                 disagree, one has to be drawn out far to become the other, or one surface is longer by half."
+                "The two surfaces seem to show different structures: one has to be drawn out far to become the other, \
+                 compared with how well curvatures of corresponding points agree."
             }
             UnreliableReason::OtherHandedness => "A mirror image of the source fits the target better.",
             UnreliableReason::AmbiguousPose => "Another pose, turned by 45 degrees or more, fits as well.",

@@ -14,12 +14,9 @@
 //!    points on surfaces; across the normal a tenth of the assignment's weight is kept. So the surface can slide,
 //!    driven by the smoothness of the field and the pulls along the normals. The full weight of the assignment, which
 //!    favors the present place of a vertex, would prevent this.
-//! 4. **Local**: not for closed surfaces of two subjects, whose field stays stiff. If the residual heights show
-//!    narrower displacement, a second kernel of the most probable width and variance is added ([`super::local`]).
-//! 5. **Settling**, if no second kernel was added: the residual along the normals sets the weight of the observations.
-//!    It is the sampling noise for copies of one anatomy. Between two subjects it contains individual anatomy, which is
-//!    correlated over millimeters.
-//! 6. **Reverse**: closed surfaces of two subjects are fitted in the other direction as well, and the mean of the two
+//! 4. **Local**: if the residual heights show narrower displacement, a second kernel of the most probable width and
+//!    variance is added ([`super::local`]).
+//! 5. **Reverse**: closed surfaces of two subjects are fitted in the other direction as well, and the mean of the two
 //!    maps is the answer ([`super::both_ways`]).
 //!
 //! If the surfaces then do not agree, or a mirror image fits better, tubular surfaces are matched straightened

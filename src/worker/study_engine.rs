@@ -30,7 +30,7 @@ use homolog_study::output::write;
 use homolog_study::plan::{Purpose as Matching, Task, Template};
 use homolog_study::price::step_price;
 use homolog_study::settings::{Correspondence, Measure, Settings, Visits};
-use homolog_study::sides::template_side;
+use homolog_study::sides::{is_mirrored, template_side};
 use homolog_study::statistics::design::Design;
 use homolog_study::structures::{GroupStep, GroupStudy};
 use serde::{Deserialize as _, Serialize};
@@ -280,10 +280,8 @@ fn planned(
     finished: usize,
 ) -> Result<Vec<Product>, StudyError> {
     let settings = study.settings();
-    let is_mirrored = |subject: Option<usize>| {
-        let side = subject.and_then(|k| definition.subjects.get(k)?.side);
-        side.is_some() && side != settings.template_side
-    };
+    let side = |subject: usize| definition.subjects.get(subject).and_then(|subject| subject.side);
+    let mirrored = |subject: Option<usize>| subject.is_some_and(|k| is_mirrored(side(k), settings.template_side));
     let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
     let plan = StudyPlan {
         round: match purpose {
@@ -298,10 +296,7 @@ fn planned(
                 source: task.source,
                 target: task.target,
                 own: task.own,
-                mirrored: match study {
-                    GroupStudy::One(study) => study.mirrored(task),
-                    GroupStudy::Several(_) => [task.source, task.target].map(is_mirrored),
-                },
+                mirrored: [task.source, task.target].map(mirrored),
             })
             .collect(),
         template: summary(settings, template)?,

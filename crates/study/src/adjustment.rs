@@ -11,7 +11,7 @@ use crate::cohort::{Cohort, Values};
 use crate::error::StudyError;
 use crate::settings::Analysis;
 use crate::statistics::design::Design;
-use crate::statistics::linear::LinearModel;
+use crate::statistics::linear::{LinearModel, leverage};
 use faer::Mat;
 use homolog_registration::SimilarityTransform;
 use nalgebra::{Matrix3, Vector3};
@@ -123,12 +123,10 @@ impl Adjustment {
 
     /// The members that have a value of every covariate.
     pub(crate) fn complete(&self, cohort: &Cohort, members: &[usize]) -> Result<Vec<usize>, StudyError> {
-        let values = self.read(cohort)?;
-        let has = |k: usize, value: &Value<'_>| match value {
-            Value::Number(_, of) => of[k].is_some(),
-            Value::Level(_, of) => of[k].is_some(),
-        };
-        Ok(members.iter().copied().filter(|&k| values.iter().all(|(_, value)| has(k, value))).collect())
+        self.check(cohort)?;
+        let covariates: Vec<_> = self.covariates.iter().filter_map(|name| cohort.covariate(name)).collect();
+        let is_complete = |k: &usize| covariates.iter().all(|covariate| covariate.values.is_stated(*k));
+        Ok(members.iter().copied().filter(is_complete).collect())
     }
 
     /// The regression of these members, all of which have every value. `incomplete`: members that lack one.
@@ -169,14 +167,13 @@ impl Adjustment {
                 }
                 Value::Level(level, of) => {
                     let text = self.values.get(name).map_or("", |text| text.trim());
-                    match design.rows.iter().filter(|&&k| of[k] == Some(*level)).count() {
-                        0 => return Err(fault(format!("no member of the group has {name} {text}"))),
-                        _ => {
-                            let column = format!("{name}:{text}");
-                            if let Some(column) = design.columns.iter().position(|of| *of == column) {
-                                own[column] = 1.0;
-                            }
-                        }
+                    if design.rows.iter().all(|&k| of[k] != Some(*level)) {
+                        return Err(fault(format!("no member of the group has {name} {text}")));
+                    }
+                    // The first level has no column.
+                    let column = format!("{name}:{text}");
+                    if let Some(column) = design.columns.iter().position(|of| *of == column) {
+                        own[column] = 1.0;
                     }
                 }
             }
@@ -190,12 +187,11 @@ impl Adjustment {
             )));
         }
         let together = Mat::from_fn(n + 1, p, |i, k| if i < n { design.matrix[(i, k)] } else { own[k] });
-        let leverage = model.observation_weights(&own).iter().map(|share| share * share).sum();
         let facts = AdjustmentFacts {
             covariates: self.values.iter().map(|(name, text)| (name.clone(), text.trim().to_owned())).collect(),
             incomplete,
             degrees: model.degrees(),
-            leverage,
+            leverage: leverage(&model.observation_weights(&own)),
             warnings,
         };
         Ok(Adjusted { model, own, together: LinearModel::new(&together), facts })

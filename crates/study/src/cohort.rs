@@ -69,6 +69,26 @@ pub enum Values {
     },
 }
 
+impl Values {
+    /// Whether a subject has a value.
+    pub(crate) fn is_stated(&self, subject: usize) -> bool {
+        match self {
+            Values::Numbers(of) => of[subject].is_some(),
+            Values::Factor { of, .. } => of[subject].is_some(),
+        }
+    }
+
+    /// The values of these subjects, in this order.
+    pub(crate) fn of_rows(&self, rows: &[usize]) -> Values {
+        match self {
+            Values::Numbers(of) => Values::Numbers(rows.iter().map(|&k| of[k]).collect()),
+            Values::Factor { levels, of } => {
+                Values::Factor { levels: levels.clone(), of: rows.iter().map(|&k| of[k]).collect() }
+            }
+        }
+    }
+}
+
 /// The subjects of a study and their covariates.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Cohort {

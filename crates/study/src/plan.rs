@@ -9,7 +9,7 @@ mod visits;
 
 pub use visits::{OwnMaps, Person};
 
-use crate::align::{WatchedShapes, align};
+use crate::align::{WatchedShapes, align, fit_onto};
 use crate::average::{next_template, triangle_quality};
 use crate::cohort::{Cohort, Role};
 use crate::error::StudyError;
@@ -20,6 +20,7 @@ use homolog_formats::ply::write_ply;
 use homolog_mesh::{SurfaceMesh, repair};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
+use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
 use visits::PersonsState;
@@ -97,9 +98,9 @@ impl Task {
     }
 }
 
-/// Next step of a study.
+/// Next step of a study; `M` is what there is at the end.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Step {
+pub enum Step<M = Box<Matched>> {
     /// These matches are missing; no other step is possible before they exist.
     Match {
         /// Their purpose.
@@ -114,7 +115,25 @@ pub enum Step {
         own: Vec<Template>,
     },
     /// All matches exist.
-    Matched(Box<Matched>),
+    Matched(M),
+}
+
+impl Step {
+    /// The step to the missing ones of these matches; `None` if all exist.
+    fn missing(
+        purpose: Purpose,
+        template: &Template,
+        tasks: Vec<Task>,
+        own: Vec<Template>,
+        records: &dyn Records,
+    ) -> Option<Self> {
+        // Subjects with equal files share a record.
+        let mut seen = HashSet::new();
+        let mut tasks: Vec<Task> = tasks.into_iter().filter(|task| seen.insert(task.key.clone())).collect();
+        tasks.retain(|task| !records.has(&task.key));
+        let finished = seen.len() - tasks.len();
+        (!tasks.is_empty()).then(|| Step::Match { purpose, template: Box::new(template.clone()), tasks, finished, own })
+    }
 }
 
 /// Purpose of matches.
@@ -295,14 +314,8 @@ impl Study {
         let composed: HashSet<usize> = own.iter().flat_map(|of| self.persons[of.person].visits.clone()).collect();
         tasks.retain(|task| task.target.is_none_or(|k| !composed.contains(&k)));
         let cycles = self.cycles(template, &mut tasks);
-        let mut tasks = distinct(tasks);
-        let n = tasks.len();
-        tasks.retain(|task| !records.has(&task.key));
-        if tasks.is_empty() {
-            return Ok(Step::Matched(Box::new(Matched { making, keys, own, cycles })));
-        }
-        let (finished, template) = (n - tasks.len(), Box::new(making.template));
-        Ok(Step::Match { purpose: Purpose::Subjects, template, tasks, finished, own: Vec::new() })
+        let missing = Step::missing(Purpose::Subjects, template, tasks, Vec::new(), records);
+        Ok(missing.unwrap_or_else(|| Step::Matched(Box::new(Matched { making, keys, own, cycles }))))
     }
 
     /// The template made from the existing records; `None` if matches for it are missing, or if it is given.
@@ -330,13 +343,8 @@ impl Study {
         let (mut template, mut rounds) = (self.first.clone(), Vec::new());
         while rounds.len() < how.max_rounds.max(1) {
             let all: Vec<Task> = self.makers.iter().map(|&k| self.task(&template.hash, None, Some(k))).collect();
-            let mut tasks = distinct(all.clone());
-            let n = tasks.len();
-            tasks.retain(|task| !records.has(&task.key));
-            if !tasks.is_empty() {
-                let finished = n - tasks.len();
-                let purpose = Purpose::Template(rounds.len() + 1);
-                let step = Step::Match { purpose, template: Box::new(template), tasks, finished, own: Vec::new() };
+            let purpose = Purpose::Template(rounds.len() + 1);
+            if let Some(step) = Step::missing(purpose, &template, all.clone(), Vec::new(), records) {
                 return Ok(TemplateState::Missing(step));
             }
             let (next, round) = averaged(&template, &all, records, observer)?;
@@ -377,11 +385,17 @@ enum TemplateState {
     Missing(Step),
 }
 
-/// The tasks without duplicates: subjects with equal files share a record.
-pub(crate) fn distinct(mut tasks: Vec<Task>) -> Vec<Task> {
-    let mut seen = HashSet::new();
-    tasks.retain(|task| seen.insert(task.key.clone()));
-    tasks
+/// The mean of shapes on a mesh, placed where the mesh lies, mm; `whose` names it in errors.
+fn mean_on(
+    mesh: &SurfaceMesh,
+    shapes: &Vec<Vec<[f32; 3]>>,
+    whose: &str,
+    observer: &dyn Observer,
+) -> Result<Vec<Point3<f64>>, StudyError> {
+    let found = align(&WatchedShapes { shapes, observer }, mesh, Size::Kept)?;
+    let back = fit_onto(&found.mean, mesh.vertices(), &found.weights, false)
+        .map_err(|error| StudyError::Alignment { id: whose.to_owned(), error })?;
+    Ok(found.mean.iter().map(|p| back.apply(p)).collect())
 }
 
 /// The next template: the mean of the shapes of a round, in the place of the template. Shapes whose match failed or is
@@ -395,22 +409,18 @@ fn averaged(
     let (mut shapes, mut reason): (Vec<Vec<[f32; 3]>>, Option<String>) = (Vec::new(), None);
     for task in tasks {
         checkpoint(observer)?;
-        let Some(Record { facts, points }) = records.get(&task.key)? else { continue };
-        if facts.error.is_none() && facts.reliable != Some(false) && points.len() == template.mesh.n_vertices() {
-            shapes.push(points);
+        let Some(record) = records.get(&task.key)? else { continue };
+        if record.is_reliable_map_of(template.mesh.n_vertices()) {
+            shapes.push(record.points);
         } else if reason.is_none() {
-            reason = Some(facts.error.unwrap_or_else(|| "the match is not reliable".to_owned()));
+            reason = Some(record.facts.error.unwrap_or_else(|| "the match is not reliable".to_owned()));
         }
     }
     if shapes.len() < 3 {
         let (matched, all, reason) = (shapes.len(), tasks.len(), reason.unwrap_or_default());
         return Err(StudyError::TooFewMatches { matched, all, purpose: "to make a template", reason });
     }
-    let alignment = align(&WatchedShapes { shapes: &shapes, observer }, &template.mesh, Size::Kept)?;
-    let before = template.mesh.vertices();
-    let back = crate::align::fit_onto(&alignment.mean, before, &alignment.weights, false)
-        .map_err(|error| StudyError::Alignment { id: "mean".to_owned(), error })?;
-    let mean = alignment.mean.iter().map(|p| back.apply(p)).collect();
+    let mean = mean_on(&template.mesh, &shapes, "mean", observer)?;
     let next = next_template(&template.mesh, mean, observer)?;
     let round = Round {
         subjects: shapes.len(),

@@ -65,6 +65,11 @@ impl Record {
         self.facts.error.is_none() && self.points.len() == n_vertices
     }
 
+    /// Whether it does, and is not known to be unreliable.
+    pub(crate) fn is_reliable_map_of(&self, n_vertices: usize) -> bool {
+        self.is_map_of(n_vertices) && self.facts.reliable != Some(false)
+    }
+
     /// The bytes of the record; equal records have equal bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
         let facts = serde_json::to_vec(&self.facts).unwrap_or_default();
@@ -156,6 +161,15 @@ impl Record {
         let points = points.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
         Record { facts, points }
     }
+}
+
+/// A hash of texts, each ended by a zero byte, which names a record by what it is made of: 64 hexadecimal digits.
+pub(crate) fn hash_of_texts<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for text in texts {
+        hasher.update(text.as_bytes()).update(&[0]);
+    }
+    hasher.finalize().to_hex().to_string()
 }
 
 /// Points from their bytes, 12 bytes each.

@@ -45,10 +45,15 @@ pub fn template_side(cohort: &Cohort, settings: &Settings) -> Result<Option<Body
     Ok(Some(if right.len() > left.len() { BodySide::Right } else { BodySide::Left }))
 }
 
+/// Whether a subject on this side is mirrored.
+pub fn is_mirrored(side: Option<BodySide>, template_side: Option<BodySide>) -> bool {
+    side.is_some() && side != template_side
+}
+
 impl Study {
     /// Whether a subject lies on the other side than the template.
     pub fn is_mirrored(&self, subject: usize) -> bool {
         let side = self.cohort.subjects.get(subject).and_then(|subject| subject.side);
-        side.is_some() && side != self.settings.template_side
+        is_mirrored(side, self.settings.template_side)
     }
 }

@@ -13,8 +13,8 @@ use crate::findings::{Findings, find, find_with, placed};
 use crate::folder::{Decision, Folder, Verdict};
 use crate::joint::JointFindings;
 use crate::matching::{Interruption, StudyObserver};
-use crate::plan::{Cycles, Matched, Purpose, Records, Step, Study, Task, Template, TemplateHistory};
-use crate::record::{Facts, Record};
+use crate::plan::{Cycles, Matched, Records, Step, Study, Template, TemplateHistory};
+use crate::record::{Facts, Record, hash_of_texts};
 use crate::settings::{Correspondence, MadeTemplate, Settings, TemplateChoice, Visits};
 use crate::subjects::{StructureFindings, SubjectFindings, SubjectOutcome};
 use homolog_primitives::observe::{Observer, checkpoint};
@@ -55,25 +55,9 @@ struct Part {
     given: Vec<usize>,
 }
 
-/// Next step of a study of one structure or of several.
-#[derive(Debug)]
-pub enum GroupStep {
-    /// These matches of one structure are missing; see [`Step::Match`].
-    Match {
-        /// Their purpose.
-        purpose: Purpose,
-        /// The template of the tasks.
-        template: Box<Template>,
-        /// The matches; subjects are rows as they were given.
-        tasks: Vec<Task>,
-        /// Number of existing matches for this purpose.
-        finished: usize,
-        /// Templates of persons, of which the tasks name some; empty for several structures.
-        own: Vec<Template>,
-    },
-    /// All matches exist, of each structure in alphabetical order.
-    Matched(Vec<Matched>),
-}
+/// Next step of a study of one structure or of several: the matches that are missing of one structure, whose subjects are rows
+/// as they were given, or those of each structure in alphabetical order. Several structures have no templates of persons.
+pub type GroupStep = Step<Vec<Matched>>;
 
 /// A structure with the outcomes of its rows.
 struct PlacedPart<'a> {
@@ -81,6 +65,14 @@ struct PlacedPart<'a> {
     matched: Matched,
     rows: Vec<SubjectFindings>,
     joint: Option<JointFindings>,
+}
+
+impl PlacedPart<'_> {
+    /// The vertices of the template mapped to a row; none without a row or a record.
+    fn points(&self, row: Option<usize>, folder: &Folder) -> Result<Vec<[f32; 3]>, StudyError> {
+        let record = row.map_or(Ok(None), |row| folder.get(&self.matched.keys[row]))?;
+        Ok(record.map(|record| record.points).unwrap_or_default())
+    }
 }
 
 impl GroupStudy {
@@ -112,7 +104,7 @@ impl GroupStudy {
             GroupStudy::One(study) => match study.advance(folder, watcher)? {
                 Step::Matched(matched) => all.push(*matched),
                 Step::Match { purpose, template, tasks, finished, own } => {
-                    return Ok(GroupStep::Match { purpose, template, tasks, finished, own });
+                    return Ok(Step::Match { purpose, template, tasks, finished, own });
                 }
             },
             GroupStudy::Several(complex) => {
@@ -124,13 +116,13 @@ impl GroupStudy {
                                 let given = |row: Option<usize>| row.map(|row| part.given[row]);
                                 (task.source, task.target) = (given(task.source), given(task.target));
                             }
-                            return Ok(GroupStep::Match { purpose, template, tasks, finished, own });
+                            return Ok(Step::Match { purpose, template, tasks, finished, own });
                         }
                     }
                 }
             }
         }
-        Ok(GroupStep::Matched(all))
+        Ok(Step::Matched(all))
     }
 
     /// The settings, with what was decided at the opening.
@@ -460,15 +452,12 @@ fn facts(structures: &[StructureFindings], rows: &[Option<usize>]) -> Facts {
 
 /// The name of the record of a person: a hash of what it is made of.
 fn key(template: &Template, parts: &[PlacedPart<'_>], rows: &[Option<usize>]) -> String {
-    let mut hasher = blake3::Hasher::new();
-    for text in [VERSION, env!("CARGO_PKG_VERSION"), &template.hash] {
-        hasher.update(text.as_bytes()).update(&[0]);
-    }
-    for (part, row) in parts.iter().zip(rows) {
+    let of_rows = parts.iter().zip(rows).flat_map(|(part, row)| {
         let key = row.map_or("", |row| part.matched.keys[row].as_str());
-        hasher.update(part.part.name.as_bytes()).update(&[0]).update(key.as_bytes()).update(&[0]);
-    }
-    format!("{PART}/{}", hasher.finalize().to_hex())
+        [part.part.name.as_str(), key]
+    });
+    let made_of = [VERSION, env!("CARGO_PKG_VERSION"), &template.hash].into_iter().chain(of_rows);
+    format!("{PART}/{}", hash_of_texts(made_of))
 }
 
 /// The record of a person; without points if a structure has none.
@@ -484,8 +473,7 @@ fn record(
     }
     let mut all = Vec::new();
     for (part, row) in parts.iter().zip(rows) {
-        let record = row.map_or(Ok(None), |row| folder.get(&part.matched.keys[row]))?;
-        all.extend(record.map(|record| record.points).unwrap_or_default());
+        all.extend(part.points(*row, folder)?);
     }
     Ok(Record { facts, points: all })
 }
@@ -518,10 +506,7 @@ fn template(
     let degenerate = |error| StudyError::Alignment { id: "of a template".to_owned(), error };
     for rows in &members {
         checkpoint(observer)?;
-        let shape = |at: usize| -> Result<Vec<Point3<f64>>, StudyError> {
-            let record = rows[at].map_or(Ok(None), |row| folder.get(&parts[at].matched.keys[row]))?;
-            Ok(points(&record.map(|record| record.points).unwrap_or_default()))
-        };
+        let shape = |at: usize| parts[at].points(rows[at], folder).map(|found| points(&found));
         let onto = fit_onto(&shape(0)?, meshes[0].vertices(), &weights[0], false).map_err(degenerate)?;
         for (at, sum) in sums.iter_mut().enumerate().skip(1) {
             sum.iter_mut().zip(shape(at)?).for_each(|(sum, p)| *sum += onto.apply(&p).coords);

@@ -3,7 +3,7 @@
 //! Rows with the same `subject`, `visit` (if there is such a column, which stays a covariate) and `side` belong together
 //! and differ in `structure`. Their covariates describe the person: where two rows state one, they state the same.
 
-use super::{Cohort, Covariate, Role, Subject, Values, no_file_name};
+use super::{Cohort, Covariate, Role, Subject, no_file_name};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -142,12 +142,11 @@ impl Cohort {
             Subject { id: of.clone(), labels: None, structure: None, ..first.clone() }
         };
         let subjects = rows.iter().map(person).collect();
-        let covariates = self.covariates.iter().map(|Covariate { name, values }| Covariate {
-            name: name.clone(),
-            values: match values {
-                Values::Numbers(of) => Values::Numbers(stated(&rows, of)),
-                Values::Factor { levels, of } => Values::Factor { levels: levels.clone(), of: stated(&rows, of) },
-            },
+        let covariates = self.covariates.iter().map(|Covariate { name, values }| {
+            // The first row of each person that states a value.
+            let first = |rows: &Vec<usize>| rows.iter().copied().find(|&k| values.is_stated(k)).unwrap_or(rows[0]);
+            let stated: Vec<usize> = rows.values().map(first).collect();
+            Covariate { name: name.clone(), values: values.of_rows(&stated) }
         });
         Cohort { subjects, covariates: covariates.collect() }
     }
@@ -167,15 +166,9 @@ impl Cohort {
 
     /// The cohort of these rows, in this order.
     pub(crate) fn of_rows(&self, rows: &[usize]) -> Cohort {
-        let covariates = self.covariates.iter().map(|Covariate { name, values }| Covariate {
-            name: name.clone(),
-            values: match values {
-                Values::Numbers(of) => Values::Numbers(rows.iter().map(|&k| of[k]).collect()),
-                Values::Factor { levels, of } => {
-                    Values::Factor { levels: levels.clone(), of: rows.iter().map(|&k| of[k]).collect() }
-                }
-            },
-        });
+        let of =
+            |Covariate { name, values }: &Covariate| Covariate { name: name.clone(), values: values.of_rows(rows) };
+        let covariates = self.covariates.iter().map(of);
         Cohort { subjects: rows.iter().map(|&k| self.subjects[k].clone()).collect(), covariates: covariates.collect() }
     }
 
@@ -186,13 +179,9 @@ impl Cohort {
     }
 }
 
-/// The first value that the rows of each person state.
-fn stated<T: Copy>(rows: &BTreeMap<String, Vec<usize>>, values: &[Option<T>]) -> Vec<Option<T>> {
-    rows.values().map(|rows| rows.iter().find_map(|&k| values[k])).collect()
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::Values;
     use super::*;
     use std::path::Path;
 

@@ -121,15 +121,12 @@ pub(crate) fn revised(
     }
     let group = hasher.finalize().to_hex().to_string();
     let part = study.cohort.subfolder(PART);
+    let named = |texts: &[&str]| format!("{part}/{}", blake3::hash(texts.join(" ").as_bytes()).to_hex());
     let key = |row: usize| {
         let row_in_model = if row < n_core { row.to_string() } else { "another".to_owned() };
-        let text = [group.as_str(), &row_in_model, order[row].key].join(" ");
-        format!("{part}/{}", blake3::hash(text.as_bytes()).to_hex())
+        named(&[&group, &row_in_model, order[row].key])
     };
-    let of_visit = |revised: &str, visit: &str| {
-        let text = [revised, visit].join(" ");
-        format!("{part}/{}", blake3::hash(text.as_bytes()).to_hex())
-    };
+    let of_visit = |revised: &str, visit: &str| named(&[revised, visit]);
     // The keys of all rows, and those of the templates of persons.
     let revised_keys: Vec<String> = (0..order.len()).map(key).collect();
     let mut row_keys: Vec<(usize, String)> = Vec::new();

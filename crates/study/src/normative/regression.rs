@@ -8,7 +8,7 @@
 //! Source: Cook, Weisberg 1982, *Residuals and influence in regression*, section 2.2.
 
 use super::standardized;
-use crate::statistics::linear::LinearModel;
+use crate::statistics::linear::{LinearModel, leverage};
 use rayon::prelude::*;
 
 /// A prediction for one subject, and the fit behind it.
@@ -44,7 +44,7 @@ impl Regression {
             expected: each.iter().map(|(expected, _)| *expected).collect(),
             squares: each.iter().map(|(_, rest)| rest.iter().map(|e| e * e).sum()).collect(),
             degrees: model.degrees(),
-            leverage: shares.iter().map(|share| share * share).sum(),
+            leverage: leverage(&shares),
             free: model.free().to_vec(),
         };
         (regression, residuals)

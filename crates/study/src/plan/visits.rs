@@ -1,9 +1,7 @@
 //! The matches that the templates of persons need, as a pure function of the finished ones.
 
-use crate::align::{WatchedShapes, align, fit_onto};
 use crate::error::StudyError;
-use crate::plan::{Purpose, Records, Step, Study, Task, Template, distinct};
-use crate::settings::Size;
+use crate::plan::{Purpose, Records, Step, Study, Task, Template, mean_on};
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
 use rayon::prelude::*;
@@ -61,19 +59,13 @@ fn mean_of(
     if shapes.len() < FEWEST {
         return Ok(None);
     }
-    let found = align(&WatchedShapes { shapes, observer }, mesh, Size::Kept)?;
-    let back = fit_onto(&found.mean, mesh.vertices(), &found.weights, false)
-        .map_err(|error| StudyError::Alignment { id: "of a mean of visits".to_owned(), error })?;
-    let mean = mesh.with_vertices(found.mean.iter().map(|p| back.apply(p)).collect())?;
-    Ok(Some(Template::new(&mean)))
+    let mean = mean_on(mesh, shapes, "of a mean of visits", observer)?;
+    Ok(Some(Template::new(&mesh.with_vertices(mean)?)))
 }
 
 /// The points of a record, unless it says that its match is unusable.
 fn usable(records: &dyn Records, key: &str, n_vertices: usize) -> Result<Option<Vec<[f32; 3]>>, StudyError> {
-    let found = records.get(key)?.filter(|record| {
-        let facts = &record.facts;
-        facts.error.is_none() && facts.reliable != Some(false) && record.points.len() == n_vertices
-    });
+    let found = records.get(key)?.filter(|record| record.is_reliable_map_of(n_vertices));
     Ok(found.map(|record| record.points))
 }
 
@@ -148,12 +140,8 @@ impl Study {
         records: &dyn Records,
         observer: &dyn Observer,
     ) -> Result<PersonsState, StudyError> {
-        let step = |round: usize, all: Vec<Task>, own: Vec<Template>| {
-            let all = distinct(all);
-            let n = all.len();
-            let tasks: Vec<Task> = all.into_iter().filter(|task| !records.has(&task.key)).collect();
-            let (purpose, template, finished) = (Purpose::Visits(round), Box::new(template.clone()), n - tasks.len());
-            (!tasks.is_empty()).then_some(Step::Match { purpose, template, tasks, finished, own })
+        let step = |round: usize, tasks: Vec<Task>, own: Vec<Template>| {
+            Step::missing(Purpose::Visits(round), template, tasks, own, records)
         };
         let pairs = self.persons.iter().flat_map(|person| self.within(person)).collect();
         if let Some(step) = step(1, pairs, Vec::new()) {
@@ -168,8 +156,9 @@ impl Study {
             let (mut tasks, mut own) = (Vec::new(), Vec::new());
             for (person, found) in persons.iter().zip(&found) {
                 let Some(found) = found else { continue };
-                let of_visits = person.visits.iter().map(|&k| self.task(&found.first.hash, None, Some(k)));
-                tasks.extend(of_visits.map(|task| Task { own: Some(own.len()), ..task }));
+                let of_visits = found.visits.iter().cloned().zip(&person.visits);
+                let task = |(key, &k)| Task { key, source: None, target: Some(k), own: Some(own.len()) };
+                tasks.extend(of_visits.map(task));
                 own.push(found.first.clone());
             }
             if let Some(step) = step(2, tasks, own) {

@@ -61,11 +61,7 @@ impl Design {
                 || format!("the table has no covariate {name}; its covariates are: {}", or_none(&known.join(", ")));
             covariates.push(cohort.covariate(name).ok_or_else(missing)?);
         }
-        let has = |values: &Values, k: usize| match values {
-            Values::Numbers(of) => of[k].is_some(),
-            Values::Factor { of, .. } => of[k].is_some(),
-        };
-        let is_complete = |k: &usize| covariates.iter().all(|covariate| has(&covariate.values, *k));
+        let is_complete = |k: &usize| covariates.iter().all(|covariate| covariate.values.is_stated(*k));
         let (rows, incomplete): (Vec<usize>, Vec<usize>) = subjects.iter().copied().partition(is_complete);
         let (mut columns, mut data) = (vec!["mean".to_owned()], vec![vec![1.0; rows.len()]]);
         let mut contrasts = Vec::new();

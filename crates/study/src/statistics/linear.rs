@@ -74,6 +74,11 @@ pub(crate) fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
 }
 
+/// `x (XᵀX)⁻¹ xᵀ` of a row `x` with these weights of the observations ([`LinearModel::observation_weights`]).
+pub(crate) fn leverage(weights: &[f64]) -> f64 {
+    weights.iter().map(|share| share * share).sum()
+}
+
 impl LinearModel {
     /// The model of a design of full rank with more rows than columns.
     pub fn new(matrix: &Mat<f64>) -> Self {

@@ -6,7 +6,7 @@ use crate::align::{area_weights, fit_onto, points};
 use crate::error::StudyError;
 use crate::folder::{Folder, record_name};
 use crate::plan::{Matched, OwnMaps, Records, Study};
-use crate::record::{Facts, Record, distances, folded};
+use crate::record::{Facts, Record, distances, folded, hash_of_texts};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::{Matrix3, Point3};
@@ -93,11 +93,7 @@ fn map_facts(
 
 /// Names the composition of two matches, or of a revised map and a match.
 fn composed_key(onto: &str, visit: &str) -> String {
-    let mut hasher = blake3::Hasher::new();
-    for part in [VERSION, env!("CARGO_PKG_VERSION"), onto, visit] {
-        hasher.update(part.as_bytes()).update(&[0]);
-    }
-    hasher.finalize().to_hex().to_string()
+    hash_of_texts([VERSION, env!("CARGO_PKG_VERSION"), onto, visit])
 }
 
 /// Keeps the map of each visit of a person under `key`, of which there is one for each visit; `onto`: the map from the

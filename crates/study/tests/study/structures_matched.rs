@@ -1,6 +1,7 @@
 //! Several structures of each person, on both sides, from their files on disk: templates, matches, joint maps and everything
 //! that is written, with an interruption.
 
+use super::study::contents;
 use homolog_contract::input::BodySide;
 use homolog_contract::parameters::{LabelChoice, Method, preset};
 use homolog_formats::ply::write_ply;
@@ -120,23 +121,6 @@ fn computed(
         write(&study, &found, &[], &folder, "test", watcher)?;
         Ok((study, found))
     })
-}
-
-/// Every file of a folder and its bytes.
-fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let (mut files, mut folders) = (BTreeMap::new(), vec![folder.to_owned()]);
-    while let Some(at) = folders.pop() {
-        for entry in std::fs::read_dir(at).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else {
-                let name = path.strip_prefix(folder).unwrap().to_str().unwrap().to_owned();
-                files.insert(name, std::fs::read(path).unwrap());
-            }
-        }
-    }
-    files
 }
 
 #[test]

@@ -14,7 +14,7 @@ use super::displacement::FitContext;
 use super::schedule::SETTLED;
 use homolog_mesh::ClosestPoint;
 use homolog_registration::RigidTransform;
-use homolog_registration::deformation::HeightEvidence;
+use homolog_registration::deformation::{HeightEvidence, ONE_KERNEL};
 use nalgebra::{Point3, Vector3};
 
 /// Most points of the source at which displacements are observed.
@@ -59,14 +59,16 @@ pub(super) fn deformation_evidence(
     let normals: Vec<Vector3<f64>> = sample.iter().map(|at| at.normal).collect();
     let heights: Vec<f64> =
         sample.iter().map(|at| at.normal.dot(&(at.image.point - rigid.apply(&vertices[at.vertex])))).collect();
-    HeightEvidence::new(&points, &normals, &heights, &WIDTHS.map(|width| width * displacement.diagonal_mm))
+    let widths = WIDTHS.map(|width| width * displacement.diagonal_mm);
+    HeightEvidence::new(&points, &normals, &heights, (&widths, &ONE_KERNEL))
 }
 
 /// How much more probable the first deformation is than the second, as a number of variance 1: twice the difference of
 /// log likelihoods is the square of a normal deviate. Negative if the second is more probable; 0 where one of them is
 /// no deformation. `resolution_mm`: the least noise and amplitude.
 pub(super) fn lead(first: &HeightEvidence, second: &HeightEvidence, resolution_mm: f64) -> f64 {
-    let of = |evidence: &HeightEvidence| evidence.most_probable(EVIDENCE_MAX_LOG2_RATIO).map(|found| found.noise_mm);
+    let of =
+        |evidence: &HeightEvidence| evidence.most_probable(EVIDENCE_MAX_LOG2_RATIO, 0.0).map(|found| found.noise_mm);
     let (Some(of_first), Some(of_second)) = (of(first), of(second)) else { return 0.0 };
     let noise_mm = of_first.max(of_second).max(resolution_mm);
     let log_likelihood =
@@ -96,7 +98,7 @@ mod tests {
             .collect();
         let points: Vec<Point3<f64>> = normals.iter().map(|n| Point3::from(10.0 * n)).collect();
         let heights: Vec<f64> = normals.iter().map(height).collect();
-        HeightEvidence::new(&points, &normals, &heights, &WIDTHS.map(|width| 20.0 * width)).unwrap()
+        HeightEvidence::new(&points, &normals, &heights, (&WIDTHS.map(|width| 20.0 * width), &ONE_KERNEL)).unwrap()
     }
 
     #[test]

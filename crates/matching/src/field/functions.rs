@@ -58,6 +58,12 @@ impl Functions {
         }
     }
 
+    /// Variance of the prior along an axis, mm², that the functions do not express at points where these are their
+    /// `values`.
+    pub(crate) fn unexpressed(&self, values: &Mat<f64>) -> Vec<f64> {
+        self.basis.unexpressed(values.as_ref())
+    }
+
     /// `points` in the coordinates in which the functions are smooth, mm.
     pub(crate) fn coordinates(&self, points: &[Point3<f64>]) -> Vec<Point3<f64>> {
         match &self.unbending {

@@ -21,7 +21,9 @@ use crate::pair::assignment::{kernel, precision_of_features};
 use crate::pair::progress::PROGRESS_BEFORE_LOCAL;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::RigidTransform;
-use homolog_registration::deformation::{FittedField, GaussianKernel, KernelEvidence, fit_field, most_probable_kernel};
+use homolog_registration::deformation::{
+    FittedField, GaussianKernel, KernelEvidence, ONE_KERNEL, ProcessSearch, fit_field, most_probable_kernel,
+};
 use nalgebra::Point3;
 
 /// Largest ratio of the variances of the second kernel and of the noise, as a power of two: noise of less than a 64th
@@ -146,7 +148,13 @@ fn evidence(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> Option<Kern
     let points: Vec<Point3<f64>> = picked.iter().map(|&i| source[i]).collect();
     let points = displacement.functions.coordinates(&points);
     let widths = displacement.options.local.widths.map(|w| w * displacement.diagonal_mm);
-    most_probable_kernel(&points, &normals, &heights, &widths, LOCAL_MAX_LOG2_RATIO)
+    let search = ProcessSearch {
+        widths_mm: &widths,
+        shape: &ONE_KERNEL,
+        largest_ratio: LOCAL_MAX_LOG2_RATIO,
+        least_noise_mm: 0.0,
+    };
+    most_probable_kernel(&points, &normals, &heights, &search)
 }
 
 /// The field after some steps of `fit` from `moved`, with the precisions of the features there.

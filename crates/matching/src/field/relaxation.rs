@@ -71,7 +71,9 @@ pub(super) fn relax(
     let Some(functions) = displacement.functions.with_prior(vertices, prior, N_INDUCING) else { return Ok(()) };
     let joint = displacement.with_functions(functions);
     let thinned = joint.source.thinned(joint.options.fine.n_samples);
-    let values = joint.guides.below(joint.functions.values(&thinned.points));
+    let of_points = joint.functions.values(&thinned.points);
+    let unexpressed = joint.functions.unexpressed(&of_points);
+    let values = joint.guides.below(of_points);
     let guided: Vec<Information> =
         joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();
     let of_vertices = joint.functions.values(vertices);
@@ -79,7 +81,7 @@ pub(super) fn relax(
     let of_sets: Vec<Mat<f64>> = sets.iter().map(|set| joint.functions.values(set.points)).collect();
     for _ in 0..MOST_STEPS {
         checkpoint(joint.observer)?;
-        let mut known = observed(&joint, &thinned, (&start, moved), (&noises, &slopes));
+        let mut known = observed(&joint, (&thinned, &unexpressed), (&start, moved), (&noises, &slopes));
         known.extend_from_slice(&guided);
         let Some(field) = fit_field_to(values.as_ref(), &known) else { return Ok(()) };
         let next = slid(&joint, rigid, (vertices, moved), (&field, &of_vertices));
@@ -123,16 +125,17 @@ fn slopes(mesh: &SurfaceMesh, features: &[f64]) -> Vec<[Vector3<f64>; N_FEATURES
 }
 
 /// Observations of the displacement at each point of `thinned`, where the vertices of the source are displaced
-/// from `start` to `moved`. Nothing is known beyond the rim of the target.
+/// from `start` to `moved`. Nothing is known beyond the rim of the target. `unexpressed`: the variance along an axis,
+/// mm², that the functions cannot express at each point, which is noise of what is observed there.
 fn observed(
     displacement: &FitContext<'_>,
-    thinned: &Subsample,
+    (thinned, unexpressed): (&Subsample, &[f64]),
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
     (noises, slopes): (&NoiseModel, &[[Vector3<f64>; N_FEATURES]]),
 ) -> Vec<Information> {
     let (source, target) = (&displacement.source, &displacement.target);
     let closest = target.closest();
-    let of_point = |(&i, &area): (&usize, &f64)| {
+    let of_point = |((&i, &area), unexpressed): ((&usize, &f64), &f64)| {
         let mut known = Information::none();
         let at = closest.index.closest(&moved[i]);
         let Some(normal) = at.blend(|k| target.normals[k]).try_normalize(1e-9) else { return known };
@@ -141,17 +144,19 @@ fn observed(
         }
         let displaced = moved[i] - start[i];
         let height = normal.dot(&(at.point - moved[i]));
-        known.add(&normal, normal.dot(&displaced) + height, 1.0 / noises.of_heights.at(area));
+        let variance = noises.of_heights.at(area) + unexpressed;
+        known.add(&normal, normal.dot(&displaced) + height, 1.0 / variance);
         for (feature, noise) in noises.of_features.iter().enumerate() {
             let Some(noise) = noise else { continue };
             let of_target = |k: usize| target.features[k * N_FEATURES + feature];
             let difference = source.features[i * N_FEATURES + feature] - at.blend(of_target);
             let slope = at.blend(|k| slopes[k][feature]);
-            known.add(&slope, slope.dot(&displaced) + difference, WEIGHT_OF_FEATURE / noise.at(area));
+            let variance = noise.at(area) / WEIGHT_OF_FEATURE + slope.norm_squared() * unexpressed;
+            known.add(&slope, slope.dot(&displaced) + difference, 1.0 / variance);
         }
         known
     };
-    thinned.vertices.par_iter().zip(&thinned.areas).map(of_point).collect()
+    thinned.vertices.par_iter().zip(&thinned.areas).zip(unexpressed).map(of_point).collect()
 }
 
 /// `moved`, the places of `points` of the source, slid along the target to where `field` moves them from `rigid`, at

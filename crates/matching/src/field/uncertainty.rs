@@ -8,8 +8,8 @@
 //!
 //! All parameters are estimated from the pair. Width and variance of the process are those under which the normal
 //! components of the displacement, without its rigid part, are most probable. The noise along the normals is the
-//! residual of this process, the noise of features their difference at corresponding points. Residuals of neighbors are
-//! correlated, so the weight of a point is its area over the area within which they are correlated. On a curved target
+//! residual of this process, and at least the distance of a curved surface from its triangles; the noise of features is
+//! their difference at corresponding points. Residuals of neighbors are correlated, so the weight of a point is its area over the area within which they are correlated. On a curved target
 //! a height also has a linearization error, which grows with the posterior variance along the surface: both are
 //! iterated to a fixed point ([`ObservationSample::posterior`]).
 
@@ -18,7 +18,7 @@ use super::displacement::FitContext;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::N_FEATURES;
 use homolog_registration::deformation::{
-    Component, GaussianKernel, SmoothPrior, most_probable_kernel, posterior_covariances,
+    Component, GaussianKernel, ONE_KERNEL, ProcessSearch, SmoothPrior, most_probable_kernel, posterior_covariances,
 };
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
@@ -76,13 +76,14 @@ pub(super) fn variances(
     Some(sample.spread_to(points, &of_sample))
 }
 
-/// The kernel that was found and the octaves below it. A process with one Gaussian kernel has infinitely many
-/// derivatives, and observations without noise determine it nearly everywhere; real warps are less smooth.
-fn octaves(found: GaussianKernel) -> impl Iterator<Item = GaussianKernel> {
-    (0..N_OCTAVES).map(move |octave| GaussianKernel {
-        width_mm: found.width_mm * 0.5f64.powi(octave),
-        amplitude_mm: found.amplitude_mm * 0.5f64.powf(SMOOTHNESS * f64::from(octave)),
-    })
+/// This kernel and the octaves below it. A process with one Gaussian kernel has infinitely many derivatives, and
+/// observations without noise determine it nearly everywhere; real warps are less smooth.
+fn octaves(first: GaussianKernel) -> Vec<GaussianKernel> {
+    let below = |octave| GaussianKernel {
+        width_mm: first.width_mm * 0.5f64.powi(octave),
+        amplitude_mm: first.amplitude_mm * 0.5f64.powf(SMOOTHNESS * f64::from(octave)),
+    };
+    (0..N_OCTAVES).map(below).collect()
 }
 
 /// The noise of an observed quantity.
@@ -140,9 +141,26 @@ impl ObservationSample {
     pub(super) fn prior(&self, displacement: &FitContext<'_>) -> Option<(SmoothPrior, f64)> {
         let widths = WIDTHS.map(|width| width * displacement.diagonal_mm);
         let at = displacement.functions.coordinates(&self.points);
-        let found = most_probable_kernel(&at, &self.normals, &self.shifts, &widths, EVIDENCE_MAX_LOG2_RATIO)?;
-        let kernels = octaves(found.kernel).collect();
+        let search = ProcessSearch {
+            widths_mm: &widths,
+            shape: &octaves(ONE_KERNEL[0]),
+            largest_ratio: EVIDENCE_MAX_LOG2_RATIO,
+            least_noise_mm: self.sag_mm(displacement.target.mesh.mean_edge_length()),
+        };
+        let found = most_probable_kernel(&at, &self.normals, &self.shifts, &search)?;
+        let kernels = octaves(found.kernel);
         Some((SmoothPrior { kernels, ..displacement.options.prior.of(displacement.diagonal_mm) }, found.noise_mm))
+    }
+
+    /// Root mean square of the distance between the target and its tangent plane at the center of a triangle with edges
+    /// of `edge_mm`, over the triangle, mm. Triangles are flat, so heights are not more precise, however well a process
+    /// with many degrees of freedom explains those of a sample.
+    fn sag_mm(&self, edge_mm: f64) -> f64 {
+        let total = self.areas.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+        let bending = self.bending.iter().zip(&self.areas).map(|(bending, area)| bending * area).sum::<f64>() / total;
+        // Points of an equilateral triangle have this variance along each axis; squares of them are taken for those of
+        // normal numbers, which raises the root by a twentieth.
+        bending.sqrt() * edge_mm * edge_mm / 24.0
     }
 
     /// The noise of heights with this standard deviation along the normals, mm.
@@ -361,6 +379,25 @@ mod tests {
     }
 
     #[test]
+    fn the_sag_is_the_root_mean_square_distance_of_a_sphere_from_its_tangent_plane_over_a_triangle() {
+        let (mut sample, _) = cap(9.0);
+        let edge_mm = 0.8;
+        let height = edge_mm * 0.75f64.sqrt();
+        let mut number = numbers(7);
+        let draws: Vec<f64> = std::iter::repeat_with(|| (number() - 0.5, number()))
+            .map(|(x, y)| (x * edge_mm, y * height))
+            .filter(|(x, y)| x.abs() <= 0.5 * edge_mm * (1.0 - y / height))
+            .map(|(x, y)| (x * x + (y - height / 3.0).powi(2)) / (2.0 * 9.0))
+            .take(20_000)
+            .collect();
+        let expected = (draws.iter().map(|sag| sag * sag).sum::<f64>() / draws.len() as f64).sqrt();
+        let found = sample.sag_mm(edge_mm);
+        assert!((found / expected - 1.0).abs() < 0.15, "{found} {expected}");
+        sample.bending.fill(0.0);
+        assert!(sample.sag_mm(edge_mm) == 0.0);
+    }
+
+    #[test]
     fn a_gradient_is_that_of_the_linear_function_along_the_triangle() {
         let vertices = [Point3::new(0.0, 0.0, 0.0), Point3::new(3.0, 0.0, 1.0), Point3::new(1.0, 2.0, -1.0)];
         let slope = Vector3::new(0.4, -1.2, 0.7);
@@ -386,7 +423,7 @@ mod tests {
 
     #[test]
     fn octaves_fall_as_those_of_a_process_of_that_smoothness() {
-        let of: Vec<GaussianKernel> = octaves(GaussianKernel { width_mm: 8.0, amplitude_mm: 1.0 }).collect();
+        let of = octaves(GaussianKernel { width_mm: 8.0, amplitude_mm: 1.0 });
         assert_eq!(of.iter().map(|kernel| kernel.width_mm).collect::<Vec<_>>(), [8.0, 4.0, 2.0]);
         assert!((of[1].amplitude_mm - 0.5f64.powf(2.5)).abs() < 1e-12);
     }

@@ -1,9 +1,9 @@
-//! The required width of a displacement field: the kernel under which residual heights are most probable.
+//! The required width of a displacement field: the process under which residual heights are most probable.
 //!
-//! A field `v` with kernel `s² exp(−‖p − q‖² / 2w²)` on every axis moves a point along its normal by `n·v`, which has
-//! the covariance `s² k(p, q) ⟨n, n'⟩`. With independent noise of variance `σ²` the heights `h` of points over a
-//! surface have the marginal likelihood `N(h; 0, s² K + σ² I)`. For one width, a single tridiagonal form of `K` gives
-//! it for all `s` and `σ`; `σ²` has its maximum in closed form for each ratio `s² / σ²`.
+//! A field `v` whose covariance on every axis is `s² k(p, q)`, with `k` a sum of Gaussian kernels, moves a point along
+//! its normal by `n·v`, which has the covariance `s² k(p, q) ⟨n, n'⟩`. With independent noise of variance `σ²` the
+//! heights `h` of points over a surface have the marginal likelihood `N(h; 0, s² K + σ² I)`. For one `k`, a single
+//! tridiagonal form of `K` gives it for all `s` and `σ`; `σ²` has its maximum in closed form for each ratio `s² / σ²`.
 //!
 //! Source: Rasmussen, Williams, "Gaussian Processes for Machine Learning", 2006, section 5.4 (model selection by the
 //! marginal likelihood).
@@ -23,10 +23,26 @@ use rayon::prelude::*;
 /// Smallest ratio `s² / σ²` that is tried, as a power of two.
 const LEAST_RATIO: i32 = -4;
 
-/// The most probable kernel of a displacement field.
+/// Processes of a displacement field from which the most probable one is found.
+#[derive(Debug, Clone, Copy)]
+pub struct ProcessSearch<'a> {
+    /// Widths `w` of the processes, mm.
+    pub widths_mm: &'a [f64],
+    /// The kernels whose sum is a process of width 1, each with its width and amplitude: the first has 1 and 1.
+    pub shape: &'a [GaussianKernel],
+    /// Largest ratio `s² / σ²` that is tried, as a power of two.
+    pub largest_ratio: i32,
+    /// Least standard deviation of the noise, mm.
+    pub least_noise_mm: f64,
+}
+
+/// One Gaussian kernel, as the `shape` of a [`ProcessSearch`].
+pub const ONE_KERNEL: [GaussianKernel; 1] = [GaussianKernel { width_mm: 1.0, amplitude_mm: 1.0 }];
+
+/// The most probable process of a displacement field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KernelEvidence {
-    /// Width, and standard deviation along an axis.
+    /// The first kernel of the process: width, and standard deviation along an axis.
     pub kernel: GaussianKernel,
     /// Standard deviation `σ` of the noise, mm.
     pub noise_mm: f64,
@@ -34,9 +50,8 @@ pub struct KernelEvidence {
     pub gain: f64,
 }
 
-/// The kernel, among the given widths (mm), under which `heights` (mm) along unit `normals` at `points` are most
-/// probable. Ratios `s² / σ²` up to two to the power of `largest_ratio` are tried. `None` without points or widths, if
-/// all heights are 0, or if a number is not finite.
+/// The process, among those of `search`, under which `heights` (mm) along unit `normals` at `points` are most probable.
+/// `None` without points or widths, if all heights are 0, or if a number is not finite.
 ///
 /// # Cost
 /// `O(widths · points³)`; widths on all threads.
@@ -44,13 +59,13 @@ pub fn most_probable_kernel(
     points: &[Point3<f64>],
     normals: &[Vector3<f64>],
     heights: &[f64],
-    widths_mm: &[f64],
-    largest_ratio: i32,
+    search: &ProcessSearch<'_>,
 ) -> Option<KernelEvidence> {
-    HeightEvidence::new(points, normals, heights, widths_mm)?.most_probable(largest_ratio)
+    let evidence = HeightEvidence::new(points, normals, heights, (search.widths_mm, search.shape))?;
+    evidence.most_probable(search.largest_ratio, search.least_noise_mm)
 }
 
-/// Heights along normals, prepared for the marginal likelihood under fields of several widths.
+/// Heights along normals, prepared for the marginal likelihood under processes of several widths.
 #[derive(Debug)]
 pub struct HeightEvidence {
     n: f64,
@@ -61,8 +76,8 @@ pub struct HeightEvidence {
 }
 
 impl HeightEvidence {
-    /// For `heights` (mm) along unit `normals` at `points` and fields of `widths_mm`. `None` without points, if all
-    /// heights are 0, or if a number is not finite.
+    /// For `heights` (mm) along unit `normals` at `points`, and processes of `widths_mm` and this shape, as in
+    /// [`ProcessSearch`]. `None` without points, if all heights are 0, or if a number is not finite.
     ///
     /// # Cost
     /// `O(widths · points³)`; widths on all threads.
@@ -70,28 +85,36 @@ impl HeightEvidence {
         points: &[Point3<f64>],
         normals: &[Vector3<f64>],
         heights: &[f64],
-        widths_mm: &[f64],
+        (widths_mm, shape): (&[f64], &[GaussianKernel]),
     ) -> Option<HeightEvidence> {
         let n = points.len() as f64;
         let variance = heights.iter().map(|h| h * h).sum::<f64>() / n;
         if !(variance.is_finite() && variance > 0.0) {
             return None;
         }
-        let of_width = |&width_mm: &f64| (width_mm, Tridiagonal::of(covariance(points, normals, width_mm), heights));
+        let of_width =
+            |&width_mm: &f64| (width_mm, Tridiagonal::of(covariance(points, normals, width_mm, shape), heights));
         Some(HeightEvidence { n, variance, of_widths: widths_mm.par_iter().map(of_width).collect() })
     }
 
-    /// The most probable kernel and noise. Ratios `s² / σ²` up to two to the power of `largest_ratio` are tried. `None`
-    /// without widths, or if a number is not finite. Cost `O(widths · ratios · points)`.
-    pub fn most_probable(&self, largest_ratio: i32) -> Option<KernelEvidence> {
+    /// The most probable process and noise of a standard deviation of at least `least_noise_mm`. Ratios `s² / σ²` up to
+    /// two to the power of `largest_ratio` are tried. `None` without widths, or if a number is not finite. Cost
+    /// `O(widths · ratios · points)`.
+    pub fn most_probable(&self, largest_ratio: i32, least_noise_mm: f64) -> Option<KernelEvidence> {
+        let least = least_noise_mm * least_noise_mm;
+        // Minus twice the logarithm of a likelihood, without its constant, of the most probable noise.
+        let deviance = |squares: f64, log_determinant: f64| {
+            let noise = (squares / self.n).max(least);
+            (noise, self.n * noise.ln() + squares / noise + log_determinant)
+        };
+        let (_, of_noise_alone) = deviance(self.n * self.variance, 0.0);
         let of_width = |(width_mm, tridiagonal): &(f64, Tridiagonal)| {
             let of_ratio = |power: i32| {
                 let ratio = 2f64.powi(power);
                 let (log_determinant, squares) = tridiagonal.measured(ratio);
-                let noise_variance = squares / self.n;
-                let kernel = GaussianKernel { width_mm: *width_mm, amplitude_mm: (ratio * noise_variance).sqrt() };
-                let gain = 0.5 * (self.n * (self.variance / noise_variance).ln() - log_determinant);
-                KernelEvidence { kernel, noise_mm: noise_variance.sqrt(), gain }
+                let (noise, deviance) = deviance(squares, log_determinant);
+                let kernel = GaussianKernel { width_mm: *width_mm, amplitude_mm: (ratio * noise).sqrt() };
+                KernelEvidence { kernel, noise_mm: noise.sqrt(), gain: 0.5 * (of_noise_alone - deviance) }
             };
             let found = (LEAST_RATIO..=largest_ratio).map(of_ratio).filter(|e| e.gain.is_finite());
             found.max_by(|a, b| a.gain.total_cmp(&b.gain))
@@ -115,11 +138,17 @@ impl HeightEvidence {
     }
 }
 
-/// The lower triangle of the covariance of the heights of a field with this width and variance 1.
-fn covariance(points: &[Point3<f64>], normals: &[Vector3<f64>], width_mm: f64) -> Mat<f64> {
-    let scale = -0.5 / (width_mm * width_mm);
+/// The lower triangle of the covariance of the heights of a process of this width and shape, for `s = 1`.
+fn covariance(points: &[Point3<f64>], normals: &[Vector3<f64>], width_mm: f64, shape: &[GaussianKernel]) -> Mat<f64> {
+    let kernels = shape.iter().map(|k| (k.amplitude_mm.powi(2), -0.5 / (k.width_mm * width_mm).powi(2)));
+    let kernels: Vec<(f64, f64)> = kernels.collect();
     Mat::from_fn(points.len(), points.len(), |i, j| {
-        if i < j { 0.0 } else { (scale * (points[i] - points[j]).norm_squared()).exp() * normals[i].dot(&normals[j]) }
+        if i < j {
+            return 0.0;
+        }
+        let squared = (points[i] - points[j]).norm_squared();
+        let sum: f64 = kernels.iter().map(|(variance, scale)| variance * (scale * squared).exp()).sum();
+        sum * normals[i].dot(&normals[j])
     })
 }
 
@@ -186,17 +215,28 @@ mod tests {
     use crate::testing::{cloud, directions, numbers};
     use nalgebra::{DMatrix, DVector};
 
-    /// Covariance of the heights of a field of this kernel with noise, by definition.
+    /// Two kernels, of which the second is half as wide.
+    const TWO_KERNELS: [GaussianKernel; 2] = [ONE_KERNEL[0], GaussianKernel { width_mm: 0.5, amplitude_mm: 0.3 }];
+
+    fn search<'a>(widths_mm: &'a [f64], shape: &'a [GaussianKernel]) -> ProcessSearch<'a> {
+        ProcessSearch { widths_mm, shape, largest_ratio: 12, least_noise_mm: 0.0 }
+    }
+
+    /// Covariance of the heights of a process of this shape with noise, by definition. `first`: its first kernel.
     fn with_noise(
-        points: &[Point3<f64>],
-        normals: &[Vector3<f64>],
-        kernel: GaussianKernel,
+        (points, normals): (&[Point3<f64>], &[Vector3<f64>]),
+        first: GaussianKernel,
+        shape: &[GaussianKernel],
         noise_mm: f64,
     ) -> DMatrix<f64> {
         DMatrix::from_fn(points.len(), points.len(), |i, j| {
-            let k = (-(points[i] - points[j]).norm_squared() / (2.0 * kernel.width_mm.powi(2))).exp();
+            let squared = (points[i] - points[j]).norm_squared();
+            let of = |k: &GaussianKernel| {
+                let (width, amplitude) = (k.width_mm * first.width_mm, k.amplitude_mm * first.amplitude_mm);
+                amplitude * amplitude * (-squared / (2.0 * width * width)).exp()
+            };
             let noise = if i == j { noise_mm * noise_mm } else { 0.0 };
-            kernel.amplitude_mm.powi(2) * k * normals[i].dot(&normals[j]) + noise
+            shape.iter().map(of).sum::<f64>() * normals[i].dot(&normals[j]) + noise
         })
     }
 
@@ -217,27 +257,58 @@ mod tests {
     #[test]
     fn the_gain_is_the_difference_of_two_log_densities() {
         let (points, normals) = (cloud(3, 60), directions(4, 60));
+        let of = (points.as_slice(), normals.as_slice());
         let truth = GaussianKernel { width_mm: 5.0, amplitude_mm: 2.0 };
-        let heights = drawn(&with_noise(&points, &normals, truth, 0.5));
-        let found = most_probable_kernel(&points, &normals, &heights, &[5.0], 12).unwrap();
-        let field = log_density(&with_noise(&points, &normals, found.kernel, found.noise_mm), &heights);
-        let variance = heights.iter().map(|h| h * h).sum::<f64>() / 60.0;
-        let noise = log_density(&(DMatrix::identity(60, 60) * variance), &heights);
-        assert!((field - noise - found.gain).abs() < 1e-6 * (1.0 + found.gain.abs()), "{} {found:?}", field - noise);
+        for shape in [ONE_KERNEL.as_slice(), &TWO_KERNELS] {
+            for least_noise_mm in [0.0, 0.3, 0.9, 20.0] {
+                let heights = drawn(&with_noise(of, truth, shape, 0.5));
+                let search = ProcessSearch { least_noise_mm, ..search(&[5.0], shape) };
+                let found = most_probable_kernel(&points, &normals, &heights, &search).unwrap();
+                assert!(found.noise_mm >= least_noise_mm);
+                let field = log_density(&with_noise(of, found.kernel, shape, found.noise_mm), &heights);
+                let variance = heights.iter().map(|h| h * h).sum::<f64>() / 60.0;
+                let least = least_noise_mm * least_noise_mm;
+                let noise = log_density(&(DMatrix::identity(60, 60) * variance.max(least)), &heights);
+                let tolerance = 1e-6 * (1.0 + found.gain.abs());
+                assert!((field - noise - found.gain).abs() < tolerance, "{} {found:?}", field - noise);
+            }
+        }
+    }
+
+    #[test]
+    fn no_process_and_no_noise_above_the_least_is_more_probable() {
+        let (points, normals) = (cloud(3, 60), directions(4, 60));
+        let of = (points.as_slice(), normals.as_slice());
+        let truth = GaussianKernel { width_mm: 5.0, amplitude_mm: 2.0 };
+        let heights = drawn(&with_noise(of, truth, &TWO_KERNELS, 0.05));
+        let widths = [3.0, 5.0, 9.0];
+        let search = ProcessSearch { least_noise_mm: 0.2, ..search(&widths, &TWO_KERNELS) };
+        let found = most_probable_kernel(&points, &normals, &heights, &search).unwrap();
+        let best = log_density(&with_noise(of, found.kernel, &TWO_KERNELS, found.noise_mm), &heights);
+        for width_mm in widths {
+            for power in -4..=12 {
+                for noise_mm in [0.2, 0.25, 0.4, 0.8] {
+                    let kernel = GaussianKernel { width_mm, amplitude_mm: noise_mm * 2f64.powi(power).sqrt() };
+                    let other = log_density(&with_noise(of, kernel, &TWO_KERNELS, noise_mm), &heights);
+                    assert!(other <= best + 1e-9, "{kernel:?} {noise_mm}: {other} {best}");
+                }
+            }
+        }
     }
 
     #[test]
     fn the_log_likelihood_is_that_of_the_most_probable_field_of_a_least_amplitude() {
         let (points, normals) = (cloud(3, 60), directions(4, 60));
+        let of = (points.as_slice(), normals.as_slice());
         let truth = GaussianKernel { width_mm: 5.0, amplitude_mm: 2.0 };
-        let heights = drawn(&with_noise(&points, &normals, truth, 0.5));
+        let heights = drawn(&with_noise(of, truth, &ONE_KERNEL, 0.5));
         let widths = [3.0, 5.0, 9.0];
-        let evidence = HeightEvidence::new(&points, &normals, &heights, &widths).unwrap();
+        let evidence = HeightEvidence::new(&points, &normals, &heights, (&widths, &ONE_KERNEL)).unwrap();
         for (noise_mm, least_mm) in [(0.5, 0.1), (0.3, 0.3), (0.7, 4.0)] {
             let found = evidence.log_likelihood(noise_mm, least_mm, 12);
             let by_definition = |width_mm: f64, power: i32| {
                 let kernel = GaussianKernel { width_mm, amplitude_mm: least_mm * 2f64.powi(power).sqrt() };
-                log_density(&with_noise(&points, &normals, kernel, noise_mm), &heights)
+                log_density(&with_noise(of, kernel, &ONE_KERNEL, noise_mm), &heights)
             };
             let all = widths.iter().flat_map(|width| (0..=12).map(move |power| by_definition(*width, power)));
             let expected = all.fold(f64::NEG_INFINITY, f64::max);
@@ -251,22 +322,28 @@ mod tests {
     #[test]
     fn the_kernel_of_drawn_heights_is_found_and_noise_needs_none() {
         let (points, normals) = (cloud(5, 300), directions(6, 300));
+        let of = (points.as_slice(), normals.as_slice());
         let widths = [1.0, 2.0, 4.0, 8.0, 16.0];
         let truth = GaussianKernel { width_mm: 4.0, amplitude_mm: 1.5 };
-        let heights = drawn(&with_noise(&points, &normals, truth, 0.2));
-        let found = most_probable_kernel(&points, &normals, &heights, &widths, 12).unwrap();
-        assert!(found.kernel.width_mm == 4.0 && found.gain > 20.0, "{found:?}");
-        assert!((1.0..2.3).contains(&found.kernel.amplitude_mm), "{found:?}");
+        for shape in [ONE_KERNEL.as_slice(), &TWO_KERNELS] {
+            let heights = drawn(&with_noise(of, truth, shape, 0.2));
+            let found = most_probable_kernel(&points, &normals, &heights, &search(&widths, shape)).unwrap();
+            assert!(found.kernel.width_mm == 4.0 && found.gain > 20.0, "{found:?}");
+            assert!((1.0..2.3).contains(&found.kernel.amplitude_mm), "{found:?}");
+        }
         let noise = drawn(&(DMatrix::identity(300, 300) * 0.04));
-        let found = most_probable_kernel(&points, &normals, &noise, &widths, 12).unwrap();
+        let found = most_probable_kernel(&points, &normals, &noise, &search(&widths, &ONE_KERNEL)).unwrap();
         assert!(found.gain < 4.0, "{found:?}");
     }
 
     #[test]
     fn no_heights_no_widths_and_numbers_that_are_not_finite_have_no_kernel() {
         let (points, normals) = (cloud(1, 10), directions(2, 10));
-        assert_eq!(most_probable_kernel(&points, &normals, &[0.0; 10], &[1.0], 12), None);
-        assert_eq!(most_probable_kernel(&points, &normals, &[f64::NAN; 10], &[1.0], 12), None);
-        assert_eq!(most_probable_kernel(&points, &normals, &[1.0; 10], &[], 12), None);
+        let found = |heights: &[f64], widths: &[f64]| {
+            most_probable_kernel(&points, &normals, heights, &search(widths, &ONE_KERNEL))
+        };
+        assert_eq!(found(&[0.0; 10], &[1.0]), None);
+        assert_eq!(found(&[f64::NAN; 10], &[1.0]), None);
+        assert_eq!(found(&[1.0; 10], &[]), None);
     }
 }

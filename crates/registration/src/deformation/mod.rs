@@ -30,7 +30,7 @@ pub(crate) mod taylor;
 #[cfg(test)]
 mod tests;
 
-pub use evidence::{HeightEvidence, KernelEvidence, most_probable_kernel};
+pub use evidence::{HeightEvidence, KernelEvidence, ONE_KERNEL, ProcessSearch, most_probable_kernel};
 pub use fit::{FittedField, Information, Observation, fit_field, fit_field_to};
 pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};
 pub use posterior::{Component, posterior_covariances};

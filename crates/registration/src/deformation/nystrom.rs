@@ -85,6 +85,17 @@ impl FieldBasis {
         Some(FieldBasis { prior, center: Point3::from(center), inducing, whitening })
     }
 
+    /// Variance of the prior along an axis, mm², that the functions do not express at each point, given their `values`
+    /// there, `n × M`. Cost `O(n M)`.
+    ///
+    /// Source: Snelson, Ghahramani, "Sparse Gaussian processes using pseudo-inputs", Advances in Neural Information
+    /// Processing Systems 18, 2006 (the approximation known as FITC).
+    pub fn unexpressed(&self, values: MatRef<'_, f64>) -> Vec<f64> {
+        let variance = self.prior.covariance(0.0);
+        let of_point = |i| (4..values.ncols()).map(|k| values[(i, k)].powi(2)).sum::<f64>();
+        (0..values.nrows()).map(|i| (variance - of_point(i)).max(0.0)).collect()
+    }
+
     /// Number of functions `M`.
     pub fn n_functions(&self) -> usize {
         4 + self.whitening.ncols()

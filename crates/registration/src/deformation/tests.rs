@@ -70,6 +70,27 @@ proptest! {
     }
 
     #[test]
+    fn what_few_functions_do_not_express_is_the_rest_of_the_variance(seed in any::<u64>(), n in 20usize..40) {
+        let (prior, points) = (prior(), cloud(seed, n));
+        let center = center_of(&points);
+        let mut before = f64::INFINITY;
+        for n_inducing in [1, 8, n] {
+            let basis = FieldBasis::new(&points, prior.clone(), n_inducing).unwrap();
+            let values = basis.values(&points);
+            let unexpressed = basis.unexpressed(values.as_ref());
+            for (i, p) in points.iter().enumerate() {
+                let expressed: f64 = (0..basis.n_functions()).map(|k| values[(i, k)].powi(2)).sum();
+                let all = covariance(&prior, &center, p, p);
+                prop_assert!((all - expressed - unexpressed[i]).abs() < 1e-4 * all, "{} {}", all - expressed, unexpressed[i]);
+            }
+            let total: f64 = unexpressed.iter().sum();
+            prop_assert!(total <= before + 1e-9);
+            before = total;
+        }
+        prop_assert!(before < 1e-2 * n as f64 * covariance(&prior, &center, &center, &center));
+    }
+
+    #[test]
     fn a_fit_is_the_posterior_of_the_gaussian_process(seed in any::<u64>(), n in 2usize..25, isotropic in any::<bool>()) {
         let points = cloud(seed, n);
         let basis = FieldBasis::new(&points, prior(), n).unwrap();

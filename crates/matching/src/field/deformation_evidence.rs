@@ -33,11 +33,11 @@ pub(super) struct Observed {
     pub normal: Vector3<f64>,
 }
 
-/// Every `step`-th vertex of the source, at most [`MOST_POINTS`], with its image on the target if it moves to `moved`;
-/// and `step`. Points beyond the rim of the target have no counterpart and are left out.
-pub(super) fn observed(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> (Vec<Observed>, usize) {
+/// Every `step`-th vertex of the source, `most` of them at most, with its image on the target if it moves to `moved`; and
+/// `step`. Points beyond the rim of the target have no counterpart and are left out.
+pub(super) fn observed(displacement: &FitContext<'_>, moved: &[Point3<f64>], most: usize) -> (Vec<Observed>, usize) {
     let (target, closest) = (&displacement.target, displacement.target.closest());
-    let step = moved.len().div_ceil(MOST_POINTS).max(1);
+    let step = moved.len().div_ceil(most).max(1);
     let of_vertex = |vertex: usize| {
         let image = closest.index.closest(&moved[vertex]);
         let normal = image.blend(|k| target.normals[k]).try_normalize(1e-9)?;
@@ -54,7 +54,7 @@ pub(super) fn deformation_evidence(
     rigid: &RigidTransform,
 ) -> Option<HeightEvidence> {
     let vertices = displacement.source.mesh.vertices();
-    let (sample, _) = observed(displacement, moved);
+    let (sample, _) = observed(displacement, moved, MOST_POINTS);
     let points: Vec<Point3<f64>> = sample.iter().map(|at| vertices[at.vertex]).collect();
     let normals: Vec<Vector3<f64>> = sample.iter().map(|at| at.normal).collect();
     let heights: Vec<f64> =

@@ -4,7 +4,7 @@
 //! a field may slide along the surface, and its assignments slide with it. Two surfaces determine the components of a
 //! displacement along the normals and, along the surface, in the directions in which a feature changes. Each such
 //! component is one scalar observation, with noise estimated from this pair, and the uncertainty is the posterior of a
-//! Gaussian process under these observations alone, [`homolog_registration::deformation::posterior_covariances`].
+//! Gaussian process under these observations alone, [`homolog_registration::deformation::ComponentPosterior`].
 //!
 //! All parameters are estimated from the pair. Width and variance of the process are those under which the normal
 //! components of the displacement, without its rigid part, are most probable. The noise along the normals is the
@@ -17,8 +17,9 @@ use super::deformation_evidence::{EVIDENCE_MAX_LOG2_RATIO, Observed, WIDTHS, obs
 use super::displacement::FitContext;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::N_FEATURES;
+use homolog_primitives::exponential::exp_negative_f64;
 use homolog_registration::deformation::{
-    Component, GaussianKernel, ONE_KERNEL, ProcessSearch, SmoothPrior, most_probable_kernel, posterior_covariances,
+    Component, ComponentPosterior, GaussianKernel, ONE_KERNEL, ProcessSearch, SmoothPrior, most_probable_kernel,
 };
 use nalgebra::{Matrix3, Point3, Vector3};
 use rayon::prelude::*;
@@ -32,9 +33,20 @@ const SMOOTHNESS: f64 = 2.5;
 /// Most iterations between the variances and the error of heights, and the growth of variances at which they stop.
 const MOST_PASSES: usize = 12;
 const CONVERGED_GROWTH: f64 = 1.05;
+/// Most points at which heights are observed, of these most at which the process is found and its variance computed,
+/// and most at which features are observed. Heights have the finest detail; features change slowly, as they are means
+/// over large areas.
+const MOST_HEIGHTS: usize = 400;
+const MOST_VARIANCES: usize = 200;
+const MOST_FEATURES: usize = 100;
 /// Bins of distance in an autocorrelation, and their width in roots of the area.
 const N_BINS: usize = 60;
 const BIN: f64 = 0.02;
+
+/// Every how many of `n` points are taken, so that these are `most` at most.
+fn every(n: usize, most: usize) -> usize {
+    n.div_ceil(most).max(1)
+}
 
 /// A sample of the points of the source, and the observations there.
 pub(super) struct ObservationSample {
@@ -60,7 +72,7 @@ pub(super) struct ObservationSample {
 /// smooth version are displaced from `start` to `moved`. `None` if a number is not finite.
 ///
 /// # Cost
-/// `O(N³ + N · points)` for `N` observed components, at most 600.
+/// `O(N³ + N · points)` for `N` observed components, at most `MOST_HEIGHTS + 2 MOST_FEATURES`.
 pub(super) fn variances(
     displacement: &FitContext<'_>,
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
@@ -115,7 +127,7 @@ impl ObservationSample {
             bending: Vec::new(),
             features: vec![Vec::new(); N_FEATURES],
         };
-        let (observed, step) = observed(displacement, moved);
+        let (observed, step) = observed(displacement, moved, MOST_HEIGHTS);
         for Observed { vertex: i, image, normal } in observed {
             let height = normal.dot(&(image.point - moved[i]));
             sample.points.push(vertices[i]);
@@ -140,14 +152,18 @@ impl ObservationSample {
     /// normals under it, mm. `None` without a displacement, or if a number is not finite.
     pub(super) fn prior(&self, displacement: &FitContext<'_>) -> Option<(SmoothPrior, f64)> {
         let widths = WIDTHS.map(|width| width * displacement.diagonal_mm);
-        let at = displacement.functions.coordinates(&self.points);
+        let every = every(self.points.len(), MOST_VARIANCES);
+        let points: Vec<Point3<f64>> = self.points.iter().step_by(every).copied().collect();
+        let normals: Vec<Vector3<f64>> = self.normals.iter().step_by(every).copied().collect();
+        let shifts: Vec<f64> = self.shifts.iter().step_by(every).copied().collect();
+        let at = displacement.functions.coordinates(&points);
         let search = ProcessSearch {
             widths_mm: &widths,
             shape: &octaves(ONE_KERNEL[0]),
             largest_ratio: EVIDENCE_MAX_LOG2_RATIO,
             least_noise_mm: self.sag_mm(displacement.target.mesh.mean_edge_length()),
         };
-        let found = most_probable_kernel(&at, &self.normals, &self.shifts, &search)?;
+        let found = most_probable_kernel(&at, &normals, &shifts, &search)?;
         let kernels = octaves(found.kernel);
         Some((SmoothPrior { kernels, ..displacement.options.prior.of(displacement.diagonal_mm) }, found.noise_mm))
     }
@@ -176,54 +192,72 @@ impl ObservationSample {
         (variance > 0.0).then(|| Noise { variance, correlated: self.correlated_area(&differences, root_mm) })
     }
 
-    /// The posterior variance of the displacement at each point, mm², for this prior and noise along the normals.
+    /// The posterior variance of the displacement at every few of the points, at most [`MOST_VARIANCES`], mm², for this
+    /// prior and noise along the normals. `at`: the points in the coordinates of the prior.
     ///
     /// A height equals the component of the displacement along the normal only where the target is flat: if its point
     /// is off by `δ` along the surface, the height is off by `½ δᵀ W δ`. This error is noise of the height, whose
-    /// variance follows from the posterior variance of `δ`. Both are iterated from zero error, growing until they
-    /// converge.
+    /// variance follows from the posterior variance of `δ`, at the nearest point where it is computed. Both are iterated
+    /// from zero error, growing until they converge.
     fn posterior(&self, at: &[Point3<f64>], prior: &SmoothPrior, noise_mm: f64, root_mm: f64) -> Option<Vec<f64>> {
         let center = Point3::from(at.iter().map(|p| p.coords).sum::<Vector3<f64>>() / at.len().max(1) as f64);
-        let n = at.len();
-        let mut components = self.components(at, noise_mm, root_mm);
-        let of_heights: Vec<f64> = components.iter().take(n).map(|height| height.variance).collect();
+        let every = every(at.len(), MOST_VARIANCES);
+        let of: Vec<Point3<f64>> = at.iter().step_by(every).copied().collect();
+        let areas: Vec<f64> = self.areas.iter().step_by(every).map(|area| area * every as f64).collect();
+        let nearest: Vec<usize> = self.points.iter().map(|p| self.nearest(p, every)).collect();
+        let (components, mut noise) = self.components(at, noise_mm, root_mm);
+        let of_heights = noise[..at.len()].to_vec();
+        let process = ComponentPosterior::new(prior, &center, &components, &of);
         let (mut variances, mut before) = (Vec::new(), 0.0);
         for _ in 0..MOST_PASSES {
-            let covariances = posterior_covariances(prior, &center, &components, at)?;
-            variances = (0..n).map(|k| covariances[(k, k)].max(0.0)).collect();
+            let covariances = process.covariances(&noise)?;
+            variances = (0..of.len()).map(|k| covariances[(k, k)].max(0.0)).collect();
             let total = variances.iter().sum::<f64>();
             if total <= CONVERGED_GROWTH * before {
                 break;
             }
             before = total;
-            for (k, height) in components.iter_mut().take(n).enumerate() {
-                // The correlation of the squares of two displacements is the square of their correlation.
+            // The area over which squares of displacements are correlated: that correlation is the square of the
+            // displacements' own.
+            let correlated = |k: usize| {
                 let scale = |l: usize| (variances[k] * variances[l]).max(f64::MIN_POSITIVE);
-                let correlated: f64 = (0..n).map(|l| self.areas[l] * covariances[(k, l)].powi(2) / scale(l)).sum();
+                areas.iter().enumerate().map(|(l, area)| area * covariances[(k, l)].powi(2) / scale(l)).sum::<f64>()
+            };
+            let correlated: Vec<f64> = (0..of.len()).map(correlated).collect();
+            for (i, of_height) in of_heights.iter().enumerate() {
+                let k = nearest[i];
                 let slid = 0.5 * variances[k];
-                height.variance = of_heights[k] + self.bending[k] * slid * slid * (correlated / self.areas[k]).max(1.0);
+                noise[i] = of_height + self.bending[i] * slid * slid * (correlated[k] / self.areas[i]).max(1.0);
             }
         }
         Some(variances)
     }
 
-    /// The observed components at these points, heights first; `noise_mm` is the noise along the normals.
-    fn components(&self, at: &[Point3<f64>], noise_mm: f64, root_mm: f64) -> Vec<Component> {
-        let component = |k: usize, direction: Vector3<f64>, noise: &Noise| Component {
-            at: at[k],
-            direction,
-            variance: noise.at(self.areas[k]),
-        };
+    /// The index of the nearest to `p` among every `every`-th point.
+    fn nearest(&self, p: &Point3<f64>, every: usize) -> usize {
+        let distances = self.points.iter().step_by(every).map(|q| (p - q).norm_squared()).enumerate();
+        distances.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(k, _)| k)
+    }
+
+    /// The components that are observed at these points, heights first, and the variance of the noise of each; `noise_mm`
+    /// is the noise along the normals.
+    fn components(&self, at: &[Point3<f64>], noise_mm: f64, root_mm: f64) -> (Vec<Component>, Vec<f64>) {
         let of_heights = self.noise_of_heights(noise_mm, root_mm);
-        let mut components: Vec<Component> =
-            (0..at.len()).map(|k| component(k, self.normals[k], &of_heights)).collect();
-        for feature in FEATURES {
+        let heights = (0..at.len()).map(|k| Component { at: at[k], direction: self.normals[k] });
+        let mut components: Vec<Component> = heights.collect();
+        let mut variances: Vec<f64> = self.areas.iter().map(|area| of_heights.at(*area)).collect();
+        let every = every(at.len(), MOST_FEATURES);
+        for (order, feature) in FEATURES.enumerate() {
             let Some(noise) = self.noise_of_feature(feature, root_mm) else { continue };
             // Features are highly correlated with each other.
             let noise = Noise { variance: noise.variance / FEATURE_SHARE, ..noise };
-            components.extend((0..at.len()).map(|k| component(k, self.features[feature][k].1, &noise)));
+            // Each at the points between those of the others.
+            for k in (order * every / FEATURES.len()..at.len()).step_by(every) {
+                components.push(Component { at: at[k], direction: self.features[feature][k].1 });
+                variances.push(noise.at(self.areas[k] * every as f64));
+            }
         }
-        components
+        (components, variances)
     }
 
     /// Mean square of residuals, weighted by area.
@@ -252,14 +286,17 @@ impl ObservationSample {
         own + positive.map(|bin| products[bin] / (variance * total)).sum::<f64>()
     }
 
-    /// Values of the sample at `points`: means over the sample, weighted by distance.
+    /// Values of every few points of the sample, as from [`ObservationSample::posterior`], at `points`: means weighted by
+    /// distance.
     fn spread_to(&self, points: &[Point3<f64>], values: &[f64]) -> Vec<f64> {
-        let spacing = self.areas.iter().sum::<f64>() / self.areas.len().max(1) as f64;
+        let spacing = self.areas.iter().sum::<f64>() / values.len().max(1) as f64;
+        let every = every(self.points.len(), MOST_VARIANCES);
+        let of: Vec<Point3<f64>> = self.points.iter().step_by(every).copied().collect();
         let at = |p: &Point3<f64>| {
-            let nearest = self.points.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
+            let nearest = of.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
             let (mut sum, mut total) = (0.0, 0.0);
-            for (q, value) in self.points.iter().zip(values) {
-                let weight = (-0.5 * ((p - q).norm_squared() - nearest) / spacing).exp();
+            for (q, value) in of.iter().zip(values) {
+                let weight = exp_negative_f64(-0.5 * ((p - q).norm_squared() - nearest) / spacing);
                 sum += weight * value;
                 total += weight;
             }
@@ -351,7 +388,7 @@ mod tests {
             let curved: f64 = sample.posterior(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
             sample.bending.fill(0.0);
             let linear: f64 = sample.posterior(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
-            let none = posterior_covariances(&prior, &Point3::origin(), &[], &at).unwrap();
+            let none = ComponentPosterior::new(&prior, &Point3::origin(), &[], &at).covariances(&[]).unwrap();
             let of_prior: f64 = (0..at.len()).map(|k| none[(k, k)]).sum();
             assert!(curved > 1.02 * linear && curved < of_prior, "{radius_mm}: {linear} {curved} {of_prior}");
         }

@@ -17,6 +17,7 @@ use faer::linalg::householder::{
 };
 use faer::linalg::qr::no_pivoting::factor::recommended_block_size;
 use faer::{Conj, Mat, Par, Spec};
+use homolog_primitives::exponential::exp_negative_f64;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -147,7 +148,7 @@ fn covariance(points: &[Point3<f64>], normals: &[Vector3<f64>], width_mm: f64, s
             return 0.0;
         }
         let squared = (points[i] - points[j]).norm_squared();
-        let sum: f64 = kernels.iter().map(|(variance, scale)| variance * (scale * squared).exp()).sum();
+        let sum: f64 = kernels.iter().map(|(variance, scale)| variance * exp_negative_f64(scale * squared)).sum();
         sum * normals[i].dot(&normals[j])
     })
 }

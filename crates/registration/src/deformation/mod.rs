@@ -9,7 +9,7 @@
 //!   thousands. Observations are displacements, each with different precisions along and across a normal
 //!   ([`Observation`]); [`fit_field`] gives the posterior mean, `(I + Φᵀ W Φ) c = Φᵀ W d`. [`fit_field_to`] is the same
 //!   for single components of displacements ([`Information`]). Used by displacement.
-//! - [`posterior_covariances`]: the uncertainty if single components of displacements are observed ([`Component`]),
+//! - [`ComponentPosterior`]: the uncertainty if single components of displacements are observed ([`Component`]),
 //!   exact and without a basis. Used by confidence.
 //! - `taylor`: one kernel by the first terms of its Taylor series, twenty functions without an eigendecomposition, with
 //!   isotropic observations and no covariance. Used by [`crate::pose_search()`], which fits a field to every candidate
@@ -33,4 +33,4 @@ mod tests;
 pub use evidence::{HeightEvidence, KernelEvidence, ONE_KERNEL, ProcessSearch, most_probable_kernel};
 pub use fit::{FittedField, Information, Observation, fit_field, fit_field_to};
 pub use nystrom::{FieldBasis, GaussianKernel, SmoothPrior};
-pub use posterior::{Component, posterior_covariances};
+pub use posterior::{Component, ComponentPosterior};

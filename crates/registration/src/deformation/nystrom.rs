@@ -38,7 +38,7 @@ impl SmoothPrior {
     fn covariance(&self, squared_distance: f64) -> f64 {
         self.kernels
             .iter()
-            .map(|k| k.amplitude_mm.powi(2) * (-squared_distance / (2.0 * k.width_mm * k.width_mm)).exp())
+            .map(|k| k.amplitude_mm.powi(2) * exp_negative_f64(-squared_distance / (2.0 * k.width_mm * k.width_mm)))
             .sum()
     }
 

@@ -14,7 +14,7 @@ use faer::{Accum, Mat, Par, Side};
 use nalgebra::{Point3, Vector3};
 use std::collections::HashMap;
 
-/// An observed component of a displacement.
+/// A component of a displacement that can be observed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Component {
     /// Position of the displacement, mm.
@@ -22,49 +22,81 @@ pub struct Component {
     /// Direction whose product with the displacement is observed: a unit normal for a height in mm, a gradient for the
     /// difference of a feature.
     pub direction: Vector3<f64>,
-    /// Variance of the noise of this product, at least 0.
-    pub variance: f64,
 }
 
-/// The trace of the posterior covariance of the displacements at each two of the `points`, mm², given observations of
-/// these `components`; the diagonal has the variances. The linear part of `prior` is about `center`. `None` if a number
-/// is not finite, or if observations without noise contradict each other.
-///
-/// # Cost
-/// `O(N³ + N² points + N points²)` for `N` components; `O(M² + M points + points²)` exponentials for the `M` different
-/// places of observation.
-pub fn posterior_covariances(
-    prior: &SmoothPrior,
-    center: &Point3<f64>,
-    components: &[Component],
-    points: &[Point3<f64>],
-) -> Option<Mat<f64>> {
-    let n = components.len();
-    // Several components are observed at one place, and covariances depend only on places, so exponentials are computed
-    // per place.
-    let (places, place_of) = places(components);
-    let among = Mat::from_fn(places.len(), places.len(), |i, j| prior.covariance_of(&places[i], &places[j], center));
-    let gram = Mat::from_fn(n, n, |i, j| {
-        if i < j {
-            return 0.0;
-        }
-        let (a, b) = (&components[i], &components[j]);
-        let noise = if i == j { a.variance } else { 0.0 };
-        among[(place_of[i], place_of[j])] * a.direction.dot(&b.direction) + noise
-    });
-    let factor = gram.llt(Side::Lower).ok()?;
-    let of_points =
-        Mat::from_fn(places.len(), points.len(), |i, k| prior.covariance_of(&places[i], &points[k], center));
-    let mut traces =
-        Mat::from_fn(points.len(), points.len(), |k, l| 3.0 * prior.covariance_of(&points[k], &points[l], center));
-    for axis in 0..3 {
-        let mut known =
-            Mat::from_fn(n, points.len(), |i, k| of_points[(place_of[i], k)] * components[i].direction[axis]);
-        solve_lower_triangular_in_place(factor.L(), known.as_mut(), Par::Seq);
-        matmul(traces.as_mut(), Accum::Add, known.transpose(), known.as_ref(), -1.0, Par::Seq);
+/// A Gaussian process of displacements with observed components, prepared for their noise.
+#[derive(Debug)]
+pub struct ComponentPosterior {
+    /// Covariances of the components without noise, the lower triangle.
+    gram: Mat<f64>,
+    /// Covariances of each component with the displacement at each point, by axis.
+    with_points: [Mat<f64>; 3],
+    /// Traces of the covariances of the displacements at each two of the points before any observation, mm².
+    before: Mat<f64>,
+}
+
+impl ComponentPosterior {
+    /// For observations of these `components`, and displacements at `points`. The linear part of `prior` is about
+    /// `center`.
+    ///
+    /// # Cost
+    /// `O(N² + N points + points²)` for `N` components; `O(M² + M points + points²)` exponentials for the `M` different
+    /// places of observation.
+    pub fn new(
+        prior: &SmoothPrior,
+        center: &Point3<f64>,
+        components: &[Component],
+        points: &[Point3<f64>],
+    ) -> ComponentPosterior {
+        let n = components.len();
+        // Several components are observed at one place, and covariances depend only on places, so exponentials are
+        // computed per place.
+        let (places, place_of) = places(components);
+        let covariance = |p: &Point3<f64>, q: &Point3<f64>| prior.covariance_of(p, q, center);
+        let among =
+            Mat::from_fn(
+                places.len(),
+                places.len(),
+                |i, j| {
+                    if i < j { 0.0 } else { covariance(&places[i], &places[j]) }
+                },
+            );
+        let gram = Mat::from_fn(n, n, |i, j| {
+            if i < j {
+                return 0.0;
+            }
+            let (a, b) = (place_of[i].max(place_of[j]), place_of[i].min(place_of[j]));
+            among[(a, b)] * components[i].direction.dot(&components[j].direction)
+        });
+        let of_points = Mat::from_fn(places.len(), points.len(), |i, k| covariance(&places[i], &points[k]));
+        let with_points = std::array::from_fn(|axis| {
+            Mat::from_fn(n, points.len(), |i, k| of_points[(place_of[i], k)] * components[i].direction[axis])
+        });
+        let before = Mat::from_fn(points.len(), points.len(), |k, l| 3.0 * covariance(&points[k], &points[l]));
+        ComponentPosterior { gram, with_points, before }
     }
-    let is_finite = traces.col_iter().all(|column| column.iter().all(|trace| trace.is_finite()));
-    is_finite.then_some(traces)
+
+    /// The trace of the posterior covariance of the displacements at each two of the points, mm², if the noise of each
+    /// component has the variance in `noise`; the diagonal has the variances. `None` if a number is not finite, or if
+    /// observations without noise contradict each other.
+    ///
+    /// # Cost
+    /// `O(N³ + N² points + N points²)` for `N` components.
+    pub fn covariances(&self, noise: &[f64]) -> Option<Mat<f64>> {
+        let mut gram = self.gram.clone();
+        for (i, variance) in noise.iter().enumerate() {
+            gram[(i, i)] += variance;
+        }
+        let factor = gram.llt(Side::Lower).ok()?;
+        let mut traces = self.before.clone();
+        for covariances in &self.with_points {
+            let mut known = covariances.clone();
+            solve_lower_triangular_in_place(factor.L(), known.as_mut(), Par::Seq);
+            matmul(traces.as_mut(), Accum::Add, known.transpose(), known.as_ref(), -1.0, Par::Seq);
+        }
+        let is_finite = traces.col_iter().all(|column| column.iter().all(|trace| trace.is_finite()));
+        is_finite.then_some(traces)
+    }
 }
 
 /// The different places of `components`, and the index of the place of each.
@@ -93,19 +125,29 @@ mod tests {
         SmoothPrior { translation_mm: 0.7, linear: 0.05, kernels: vec![GaussianKernel { width_mm, amplitude_mm }] }
     }
 
-    fn observed(n: usize, seed: u64, variance: f64) -> Vec<Component> {
+    fn observed(n: usize, seed: u64) -> Vec<Component> {
         let points = cloud(seed, n);
         let normals = directions(seed + 1, n);
         // Two components at a place, as for a height and a feature.
         let at = |i: usize| points[i - i % 2];
-        normals.iter().enumerate().map(|(i, d)| Component { at: at(i), direction: *d, variance }).collect()
+        normals.iter().enumerate().map(|(i, d)| Component { at: at(i), direction: *d }).collect()
+    }
+
+    fn covariances(
+        prior: &SmoothPrior,
+        center: &Point3<f64>,
+        (components, variance): (&[Component], f64),
+        points: &[Point3<f64>],
+    ) -> Mat<f64> {
+        let noise = vec![variance; components.len()];
+        ComponentPosterior::new(prior, center, components, points).covariances(&noise).unwrap()
     }
 
     /// By definition: the covariance of all observations and of the displacements at `p` and `q`, and its Schur complement.
     fn slow(
         prior: &SmoothPrior,
         center: &Point3<f64>,
-        components: &[Component],
+        (components, variance): (&[Component], f64),
         p: &Point3<f64>,
         q: &Point3<f64>,
     ) -> f64 {
@@ -117,7 +159,7 @@ mod tests {
                 None => (*q, Vector3::ith(k - n - 3, 1.0)),
             };
             let ((at, direction), (other, across)) = (part(i), part(j));
-            let noise = if i == j && i < n { components[i].variance } else { 0.0 };
+            let noise = if i == j && i < n { variance } else { 0.0 };
             prior.covariance_of(&at, &other, center) * direction.dot(&across) + noise
         });
         let (g, c) = (joint.view((0, 0), (n, n)).into_owned(), joint.view((0, n), (n, 6)).into_owned());
@@ -130,13 +172,13 @@ mod tests {
 
         #[test]
         fn covariances_are_those_of_the_joint_distribution(seed in 0u64..1000, n in 1usize..20, width in 2.0..20.0) {
-            let (prior, components) = (prior(width, 1.3), observed(n, seed, 0.2));
+            let (prior, components) = (prior(width, 1.3), observed(n, seed));
             let center = Point3::new(0.5, -0.5, 1.0);
             let points = cloud(seed + 7, 4);
-            let found = posterior_covariances(&prior, &center, &components, &points).unwrap();
+            let found = covariances(&prior, &center, (&components, 0.2), &points);
             for (k, p) in points.iter().enumerate() {
                 for (l, q) in points.iter().enumerate() {
-                    let expected = slow(&prior, &center, &components, p, q);
+                    let expected = slow(&prior, &center, (&components, 0.2), p, q);
                     let tolerance = 1e-8 * (1.0 + expected.abs());
                     prop_assert!((found[(k, l)] - expected).abs() < tolerance, "{} {}", found[(k, l)], expected);
                 }
@@ -147,7 +189,7 @@ mod tests {
         fn more_observations_and_less_noise_never_raise_a_variance(seed in 0u64..1000, noise in 0.01..1.0) {
             let (prior, center) = (prior(6.0, 1.0), Point3::origin());
             let points = cloud(seed + 3, 5);
-            let of = |n: usize, noise: f64| posterior_covariances(&prior, &center, &observed(24, seed, noise)[..n], &points).unwrap();
+            let of = |n: usize, noise: f64| covariances(&prior, &center, (&observed(24, seed)[..n], noise), &points);
             let (few, many, clear) = (of(12, noise), of(24, noise), of(24, 0.5 * noise));
             for k in 0..points.len() {
                 prop_assert!(many[(k, k)] <= few[(k, k)] + 1e-9 && clear[(k, k)] <= many[(k, k)] + 1e-9);
@@ -163,11 +205,10 @@ mod tests {
         let components: Vec<Component> = (0..200)
             .map(|_| {
                 let at = Point3::new(20.0 * number(), 20.0 * number(), 0.0);
-                Component { at, direction: Vector3::z(), variance: 1e-4 }
+                Component { at, direction: Vector3::z() }
             })
             .collect();
-        let found =
-            posterior_covariances(&prior, &Point3::origin(), &components, &[Point3::new(10.0, 10.0, 0.0)]).unwrap();
+        let found = covariances(&prior, &Point3::origin(), (&components, 1e-4), &[Point3::new(10.0, 10.0, 0.0)]);
         let alone = prior.covariance_of(&Point3::origin(), &Point3::origin(), &Point3::origin());
         assert!((found[(0, 0)] - 2.0 * alone).abs() < 0.01 * alone, "{} {alone}", found[(0, 0)]);
     }
@@ -175,7 +216,7 @@ mod tests {
     #[test]
     fn without_observations_the_variance_is_that_of_the_prior() {
         let (prior, p) = (prior(4.0, 2.0), Point3::new(1.0, 2.0, 3.0));
-        let found = posterior_covariances(&prior, &Point3::origin(), &[], &[p]).unwrap();
+        let found = covariances(&prior, &Point3::origin(), (&[], 0.0), &[p]);
         let expected = 3.0 * (0.7 * 0.7 + 0.05 * 0.05 * 14.0 + 4.0);
         assert!((found[(0, 0)] - expected).abs() < 1e-12);
     }

@@ -12,7 +12,7 @@
 
 use super::base::InitialMap;
 use super::displacement::FitContext;
-use super::uncertainty::{Noise, ObservationSample, gradient};
+use super::uncertainty::{MOST_VARIANCES, Noise, ObservationSample, gradient};
 use crate::error::MatchError;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::{N_FEATURES, Subsample};
@@ -61,7 +61,7 @@ pub(super) fn relax(
 ) -> Result<(), MatchError> {
     let vertices = displacement.source.mesh.vertices();
     let start: Vec<Point3<f64>> = vertices.iter().map(|p| rigid.apply(p)).collect();
-    let sample = ObservationSample::of(displacement, &start, moved);
+    let sample = ObservationSample::of(displacement, (&start, moved), MOST_VARIANCES);
     let Some((prior, noise_mm)) = sample.prior(displacement) else { return Ok(()) };
     let root_mm = displacement.lengths.root_mm;
     let noises = NoiseModel {

@@ -37,7 +37,7 @@ const CONVERGED_GROWTH: f64 = 1.05;
 /// and most at which features are observed. Heights have the finest detail; features change slowly, as they are means
 /// over large areas.
 const MOST_HEIGHTS: usize = 400;
-const MOST_VARIANCES: usize = 200;
+pub(super) const MOST_VARIANCES: usize = 200;
 const MOST_FEATURES: usize = 100;
 /// Bins of distance in an autocorrelation, and their width in roots of the area.
 const N_BINS: usize = 60;
@@ -78,7 +78,7 @@ pub(super) fn variances(
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
     points: &[Point3<f64>],
 ) -> Option<Vec<f64>> {
-    let sample = ObservationSample::of(displacement, start, moved);
+    let sample = ObservationSample::of(displacement, (start, moved), MOST_HEIGHTS);
     // Copies have no displacement, so no kernel is found.
     let Some((prior, noise_mm)) = sample.prior(displacement) else {
         return Some(vec![0.0; points.len()]);
@@ -114,8 +114,13 @@ impl Noise {
 }
 
 impl ObservationSample {
-    /// The observations where the vertices of the smooth source are displaced from `start` to `moved`.
-    pub(super) fn of(displacement: &FitContext<'_>, start: &[Point3<f64>], moved: &[Point3<f64>]) -> ObservationSample {
+    /// The observations at `most` points at most, where the vertices of the smooth source are displaced from `start` to
+    /// `moved`.
+    pub(super) fn of(
+        displacement: &FitContext<'_>,
+        (start, moved): (&[Point3<f64>], &[Point3<f64>]),
+        most: usize,
+    ) -> ObservationSample {
         let (source, target) = (&displacement.source, &displacement.target);
         let vertices = source.mesh.vertices();
         let mut sample = ObservationSample {
@@ -127,7 +132,7 @@ impl ObservationSample {
             bending: Vec::new(),
             features: vec![Vec::new(); N_FEATURES],
         };
-        let (observed, step) = observed(displacement, moved, MOST_HEIGHTS);
+        let (observed, step) = observed(displacement, moved, most);
         for Observed { vertex: i, image, normal } in observed {
             let height = normal.dot(&(image.point - moved[i]));
             sample.points.push(vertices[i]);

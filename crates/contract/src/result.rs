@@ -180,6 +180,10 @@ pub struct PoseDocument {
     pub misfit: Option<f64>,
     /// Whether the pose mirrors the source.
     pub mirrored: bool,
+    /// Whether this pose, of the handedness of the answer, explains both surfaces as well as the answer: the reason `ambiguous_pose`.
+    /// Absent if not.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
+    pub as_good: bool,
 }
 
 /// Whether an answer can be relied on. The measures are those of the smooth displacement field: of the answer itself where the method fits one, else of the

@@ -13,7 +13,7 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Rivals, Settings, Size, TemplateChoice, Visits};
 use nalgebra::{Point3, Vector3};
 use rand_core::Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -53,6 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis {
             effect: Some("group".to_owned()),
             measures: vec![Measure::NormalDisplacement],

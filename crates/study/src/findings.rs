@@ -14,6 +14,7 @@ use crate::plan::{Matched, Records, Study};
 use crate::pose::relative_poses;
 use crate::quality::flags;
 use crate::record::{Facts, Record};
+use crate::rivals::{GroupDecision, decide};
 use crate::settings::{Correspondence, Measure, Size, TemplateChoice};
 use crate::statistics::VertexValues;
 use crate::statistics::design::{Contrast, Design};
@@ -189,8 +190,10 @@ pub(crate) fn find_with(
 ) -> Result<Findings, StudyError> {
     let observer = &Interruption(watcher);
     let (cohort, template) = (&study.cohort, &matched.making.template.mesh);
-    let (pairs, mut matched) = (matched, matched.clone());
-    let (mut subjects, members, joint) = placed(study, &mut matched, folder, decisions, watcher)?;
+    let mut pairs = matched.clone();
+    let group = decide(study, &mut pairs, folder, decisions, observer)?;
+    let mut matched = pairs.clone();
+    let (mut subjects, members, joint) = placed(study, (&mut matched, &group), folder, decisions, watcher)?;
     let matched = &matched;
     for (subject, structures) in subjects.iter_mut().zip(complex.iter().flat_map(|complex| &complex.of_persons)) {
         subject.structures.clone_from(structures);
@@ -255,7 +258,7 @@ pub(crate) fn find_with(
     watcher.progress("statistics", 0, 1);
     let complex_of = complex.as_ref();
     let statistics = statistics(study, matched, complex_of, folder, &alignment, &mean, &subjects, &members, watcher)?;
-    let consistency = consistency(study, pairs, matched, folder, observer)?;
+    let consistency = consistency(study, &pairs, matched, folder, observer)?;
     let matched = matched.clone();
     Ok(Findings { matched, joint, complex, subjects, members, alignment, mean, model, statistics, consistency, labels })
 }
@@ -264,13 +267,13 @@ pub(crate) fn find_with(
 pub(crate) type Placed = (Vec<SubjectFindings>, Vec<usize>, Option<JointFindings>);
 
 /// The subjects with their outcomes, the members of the model, and joint maps if the study has them: these replace the
-/// maps of `matched`.
+/// maps of `matched`. `group`: what the group says about the poses of its subjects, whose maps `matched` has already.
 ///
 /// # Errors
 /// [`StudyError::TooFewMatches`] for fewer than three members; errors of reading and of joint maps.
 pub(crate) fn placed(
     study: &Study,
-    matched: &mut Matched,
+    (matched, group): (&mut Matched, &[Option<GroupDecision>]),
     folder: &Folder,
     decisions: &[Decision],
     watcher: &dyn StudyObserver,
@@ -300,6 +303,7 @@ pub(crate) fn placed(
             place,
             facts,
             decision,
+            group: group.get(k).copied().flatten(),
             size_mm: 0.0,
             scores: Vec::new(),
             distance: None,

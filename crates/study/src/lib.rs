@@ -24,6 +24,7 @@ pub mod price;
 pub mod quality;
 pub mod record;
 mod report;
+pub mod rivals;
 pub mod score;
 pub mod settings;
 pub mod sides;

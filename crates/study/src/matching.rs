@@ -5,6 +5,7 @@ use crate::error::StudyError;
 use crate::folder::{Folder, Kept};
 use crate::plan::{Matched, Purpose, Step, Study, Task, Template, TemplateHistory, hash, input_of, spread, surface};
 use crate::record::{Record, compute};
+use crate::rivals::rival_surfaces;
 use crate::settings::{Settings, TemplateChoice};
 use homolog_contract::parameters::LabelChoice;
 use homolog_primitives::observe::{Observer, checkpoint};
@@ -142,6 +143,7 @@ impl Study {
                         Purpose::Template(round) => format!("template, round {round}"),
                         Purpose::Visits(round) => format!("templates of persons, step {round} of 3"),
                         Purpose::Subjects => "matching".to_owned(),
+                        Purpose::Rivals => "rival poses".to_owned(),
                     };
                     let all = finished + tasks.len();
                     let at = Mutex::new(finished);
@@ -163,15 +165,20 @@ impl Study {
     }
 
     /// The next step, given the existing records. A finished template is stored, so that a subject added later costs
-    /// one match. With all matches, the maps of visits whose person has its own template are composed and stored.
+    /// one match. With all matches, the maps of visits whose person has its own template are composed and stored. A step to
+    /// rival poses gets the surfaces of its subjects in these poses.
     ///
     /// # Errors
     /// Errors of [`Study::next`], and [`StudyError::File`].
     pub fn advance(&mut self, folder: &Folder, watcher: &dyn StudyObserver) -> Result<Step, StudyError> {
         let observer = Interruption(watcher);
         let mut step = self.next(folder, &observer)?;
-        if let Step::Matched(matched) = &mut step {
-            self.compose(matched, folder, &observer)?;
+        match &mut step {
+            Step::Matched(matched) => self.compose(matched, folder, &observer)?,
+            Step::Match { purpose: Purpose::Rivals, template, tasks, own, .. } => {
+                *own = rival_surfaces(self, template, tasks, folder, &observer)?;
+            }
+            Step::Match { .. } => {}
         }
         if self.kept.is_some() {
             return Ok(step);
@@ -179,7 +186,7 @@ impl Study {
         let making = match &step {
             Step::Matched(matched) => matched.making.clone(),
             Step::Match { purpose: Purpose::Template(_), .. } => return Ok(step),
-            Step::Match { purpose: Purpose::Subjects | Purpose::Visits(_), template, .. } => {
+            Step::Match { purpose: Purpose::Subjects | Purpose::Visits(_) | Purpose::Rivals, template, .. } => {
                 let given = || TemplateHistory { template: (**template).clone(), rounds: Vec::new() };
                 self.making(folder, &observer)?.unwrap_or_else(given)
             }
@@ -208,7 +215,8 @@ impl Study {
         Ok(())
     }
 
-    /// Computes one match of a step, which has these templates: that of the group, and those of persons.
+    /// Computes one match of a step, which has these templates: that of the group, and those of persons or the surfaces in
+    /// rival poses.
     ///
     /// # Errors
     /// [`StudyError::File`], [`StudyError::Changed`] and [`StudyError::Interrupted`].

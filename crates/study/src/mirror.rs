@@ -1,9 +1,14 @@
 //! Mirroring of a subject of the other side than the template, in `x = 0`.
 
 use homolog_mesh::{MeshError, SurfaceMesh};
-use nalgebra::Point3;
+use nalgebra::{Matrix3, Point3};
 
 const IN_X: [[f64; 4]; 4] = [[-1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+
+/// The linear part of the reflection in `x = 0`.
+pub(crate) fn linear() -> Matrix3<f64> {
+    Matrix3::from_fn(|r, c| IN_X[r][c])
+}
 
 /// The mirror image in `x = 0`, with faces that still look outwards.
 ///

@@ -10,8 +10,9 @@ use crate::matching::{Interruption, StudyObserver};
 use crate::plan::{Round, Study};
 use crate::quality::most_urgent_first;
 use crate::report::{MODE_DEVIATIONS, page, plots, significant_share};
+use crate::rivals::GroupDecision;
 use crate::settings::{Measure, Settings, Visits};
-use crate::subjects::SubjectOutcome;
+use crate::subjects::{SubjectFindings, SubjectOutcome};
 use homolog_contract::parameters::LabelChoice;
 use homolog_formats::csv_cell::text_cell;
 use homolog_formats::gifti::{write_gifti, write_gifti_shape};
@@ -313,6 +314,7 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
             columns.push((format!("rotation_degrees.{name}"), number(&|k| Some(pose(k)?.rotation_degrees))));
         }
     }
+    columns.extend(pose_columns(of));
     columns.push(("mahalanobis_squared".to_owned(), number(&|k| of[k].distance)));
     columns.push(("mahalanobis_p".to_owned(), number(&|k| of[k].unusual_p)));
     for label in found.labels.iter().flat_map(|labels| &labels.labels) {
@@ -330,6 +332,27 @@ fn subject_columns(study: &Study, found: &Findings) -> Vec<(String, TableColumn)
     }
     for mode in 0..found.model.modes.len().min(WRITTEN_SCORES) {
         columns.push((format!("score_{}_mm", mode + 1), number(&|k| of[k].scores.get(mode).copied())));
+    }
+    columns
+}
+
+/// What the group says about poses; no columns where no pose is ambiguous.
+fn pose_columns(of: &[SubjectFindings]) -> Vec<(String, TableColumn)> {
+    let names: BTreeSet<Option<&str>> =
+        of.iter().flat_map(SubjectFindings::group_decisions).map(|(name, _)| name).collect();
+    let mut columns = Vec::new();
+    for name in names {
+        let on = |subject: &SubjectFindings| subject.group_decisions().find(|(of, _)| *of == name).map(|(_, on)| *on);
+        let found: Vec<Option<GroupDecision>> = of.iter().map(on).collect();
+        let mut column = |word: &str, value: &dyn Fn(&GroupDecision) -> f64| {
+            let title = name.map_or_else(|| word.to_owned(), |name| format!("{word}.{name}"));
+            columns
+                .push((title, TableColumn::Real(found.iter().map(|on| on.as_ref().map_or(f64::NAN, value)).collect())));
+        };
+        column("pose_candidates", &|on| on.candidates as f64);
+        column("pose_candidate", &|on| on.candidate as f64);
+        column("pose_marginal", &|on| on.marginal);
+        column("pose_decided", &|on| f64::from(u8::from(on.decided)));
     }
     columns
 }
@@ -475,6 +498,21 @@ fn figures(study: &Study, found: &Findings) -> serde_json::Value {
     if study.settings.visits == Visits::OwnTemplate {
         let (own, persons) = (found.matched.own.len(), study.persons.len());
         figures["own_templates"] = serde_json::json!({"persons": own, "matched_directly": persons - own});
+    }
+    let poses = found.subjects.iter().zip(&study.cohort.subjects).flat_map(|(subject, Subject { id, .. })| {
+        let of = move |(structure, on): (Option<&str>, &GroupDecision)| {
+            let mut entry = serde_json::json!(on);
+            entry["id"] = serde_json::json!(id);
+            if let Some(structure) = structure {
+                entry["structure"] = serde_json::json!(structure);
+            }
+            entry
+        };
+        subject.group_decisions().map(of).collect::<Vec<_>>()
+    });
+    let poses: Vec<_> = poses.collect();
+    if !poses.is_empty() {
+        figures["ambiguous_poses"] = serde_json::json!(poses);
     }
     if let Some(complex) = &found.complex {
         figures["structures"] = serde_json::json!(complex.structures);

@@ -5,8 +5,10 @@
 //! in any order, on any machine, through any queue. Records are named by their inputs ([`Task::key`]), so that nothing
 //! is computed twice.
 
+mod rivals;
 mod visits;
 
+pub use rivals::{RIVAL_PARAMETERS, Rival, SubjectRivals};
 pub use visits::{OwnMaps, Person};
 
 use crate::align::{WatchedShapes, align, fit_onto};
@@ -21,6 +23,7 @@ use homolog_mesh::{SurfaceMesh, repair};
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
 use nalgebra::Point3;
+use rivals::RivalsState;
 use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
 use visits::PersonsState;
@@ -87,14 +90,17 @@ pub struct Task {
     /// The subject that stays; `None` for a template.
     pub target: Option<usize>,
     /// The template of a person, as an index into those of the step, that takes part: it moves onto a subject, or the
-    /// template of the group onto it. `None` if the template of the group is the only one.
+    /// template of the group onto it. `None` if the template of the group is the only one. For a rival pose, the surface of
+    /// the subject in that pose.
     pub own: Option<usize>,
+    /// The rival pose that the match keeps, if it is for one.
+    pub rival: Option<Rival>,
 }
 
 impl Task {
     /// The match of the template of the group to one of a person, without its key.
     pub(crate) fn between_templates(own: usize) -> Self {
-        Task { key: String::new(), source: None, target: None, own: Some(own) }
+        Task { key: String::new(), source: None, target: None, own: Some(own), rival: None }
     }
 }
 
@@ -111,7 +117,7 @@ pub enum Step<M = Box<Matched>> {
         tasks: Vec<Task>,
         /// Number of existing matches for this purpose; of persons, for those whose templates are in `own`.
         finished: usize,
-        /// The templates of persons of the tasks.
+        /// The templates of persons of the tasks, or the surfaces of subjects in rival poses.
         own: Vec<Template>,
     },
     /// All matches exist.
@@ -146,6 +152,8 @@ pub enum Purpose {
     Visits(usize),
     /// Every subject with the template, and the matches that measure consistency.
     Subjects,
+    /// The template with subjects of ambiguous pose, in each rival pose.
+    Rivals,
 }
 
 /// A study with all its matches.
@@ -160,6 +168,8 @@ pub struct Matched {
     pub own: Vec<OwnMaps>,
     /// Keys of the matches that measure consistency.
     pub cycles: Cycles,
+    /// The subjects of ambiguous pose with the maps in their other poses.
+    pub rivals: Vec<SubjectRivals>,
 }
 
 /// The matches that measure consistency.
@@ -257,7 +267,7 @@ impl Study {
     /// The match of two subjects, or of one with the template that has this hash.
     pub(crate) fn task(&self, template: &str, source: Option<usize>, target: Option<usize>) -> Task {
         let hash = |side: Option<usize>| side.map_or(template, |k| self.hashes[k].as_str());
-        let task = Task { key: String::new(), source, target, own: None };
+        let task = Task { key: String::new(), source, target, own: None, rival: None };
         Task { key: self.key([hash(source), hash(target)], &task), ..task }
     }
 
@@ -275,6 +285,9 @@ impl Study {
             if let Some(labels) = subject.and_then(|k| self.labels(k)) {
                 side.labels = Some(labels.to_vec());
             }
+        }
+        if task.rival.is_some() {
+            rivals::keep_pose(&mut parameters);
         }
         parameters
     }
@@ -310,12 +323,18 @@ impl Study {
         };
         let mut tasks: Vec<Task> =
             (0..self.cohort.subjects.len()).map(|k| self.task(&template.hash, None, Some(k))).collect();
-        let keys = tasks.iter().map(|task| task.key.clone()).collect();
+        let keys: Vec<String> = tasks.iter().map(|task| task.key.clone()).collect();
         let composed: HashSet<usize> = own.iter().flat_map(|of| self.persons[of.person].visits.clone()).collect();
         tasks.retain(|task| task.target.is_none_or(|k| !composed.contains(&k)));
         let cycles = self.cycles(template, &mut tasks);
-        let missing = Step::missing(Purpose::Subjects, template, tasks, Vec::new(), records);
-        Ok(missing.unwrap_or_else(|| Step::Matched(Box::new(Matched { making, keys, own, cycles }))))
+        if let Some(step) = Step::missing(Purpose::Subjects, template, tasks, Vec::new(), records) {
+            return Ok(step);
+        }
+        let rivals = match self.rivals(template, (&keys, &composed), records, observer)? {
+            RivalsState::Ready(rivals) => rivals,
+            RivalsState::Missing(step) => return Ok(step),
+        };
+        Ok(Step::Matched(Box::new(Matched { making, keys, own, cycles, rivals })))
     }
 
     /// The template made from the existing records; `None` if matches for it are missing, or if it is given.

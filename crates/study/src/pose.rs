@@ -81,6 +81,7 @@ mod tests {
                 size: Size::Kept,
                 correspondence: Correspondence::Pairs,
                 visits: crate::settings::Visits::GroupTemplate,
+                rivals: crate::settings::Rivals::Decide,
                 analysis: Analysis::default(),
                 cycle_subjects: 0,
                 cycle_ring: Vec::new(),

@@ -26,9 +26,10 @@ pub fn deviations(values: &[f64]) -> Vec<f64> {
     values.iter().map(|x| if spread > least { (x - middle) / spread } else { 0.0 }).collect()
 }
 
-/// The largest of the deviations that may raise a flag, so that flagged subjects come before all others; unreliable ones come first.
-fn urgency(deviations: [f64; 4], is_unreliable: bool) -> f64 {
-    let largest = deviations.into_iter().fold(f64::NEG_INFINITY, f64::max).min(MOST_DEVIATION);
+/// The largest of the deviations that may raise a flag, so that flagged subjects come before all others; unreliable ones come
+/// first. `least`: of a subject with another flag.
+fn urgency(deviations: [f64; 4], least: f64, is_unreliable: bool) -> f64 {
+    let largest = deviations.into_iter().fold(least, f64::max).min(MOST_DEVIATION);
     if is_unreliable { largest + MOST_DEVIATION } else { largest }
 }
 
@@ -71,8 +72,13 @@ pub(crate) fn flags(subjects: &mut [SubjectFindings]) {
         raise(Flag::UnusualFolds, is_folded);
         raise(Flag::UnusualShape, shape[row] > UNUSUAL);
         raise(Flag::UnusualSize, size[row].abs() > UNUSUAL);
+        let is_decided = subject.group_decisions().any(|(_, decision)| decision.decided);
+        if is_decided {
+            subject.flags.push(Flag::PoseByGroup);
+        }
         let folds = if is_folded { folds[row] } else { 0.0 };
-        subject.urgency = urgency([residual[row], shape[row], size[row].abs(), folds], unreliable);
+        let least = if is_decided { UNUSUAL } else { f64::NEG_INFINITY };
+        subject.urgency = urgency([residual[row], shape[row], size[row].abs(), folds], least, unreliable);
     }
     for subject in subjects.iter_mut().filter(|subject| subject.place == SubjectOutcome::Failed) {
         (subject.flags, subject.urgency) = (vec![Flag::NoMatch], 2.0 * MOST_DEVIATION + 1.0);
@@ -92,13 +98,15 @@ mod tests {
 
     #[test]
     fn any_flag_comes_before_what_has_none() {
-        let usual = urgency([UNUSUAL, UNUSUAL, UNUSUAL, 0.0], false);
+        let none = f64::NEG_INFINITY;
+        let usual = urgency([UNUSUAL, UNUSUAL, UNUSUAL, 0.0], none, false);
         for flagged in 0..4 {
             let mut deviations = [0.0; 4];
             deviations[flagged] = UNUSUAL + 0.01;
-            assert!(urgency(deviations, false) > usual, "flag {flagged}");
+            assert!(urgency(deviations, none, false) > usual, "flag {flagged}");
         }
-        assert!(urgency([-1.0; 4], true) > urgency([500.0; 4], false));
+        assert!(urgency([-1.0; 4], none, true) > urgency([500.0; 4], none, false));
+        assert!(urgency([-1.0; 4], UNUSUAL, false) >= usual);
     }
 
     #[test]

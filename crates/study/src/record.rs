@@ -2,10 +2,11 @@
 //! reliability. A record is a small binary file: the match itself, with its energies and timings, is not stored.
 
 use homolog_contract::parameters::MatchParameters;
-use homolog_contract::result::{WarpDirection, WarpSpace};
+use homolog_contract::result::{PoseDocument, WarpDirection, WarpSpace};
 use homolog_formats::{VertexArray, VertexValues};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Observer;
+use homolog_registration::SAME_POSE_ANGLE;
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, run_match_with};
 use nalgebra::Matrix3;
@@ -52,6 +53,10 @@ pub struct Facts {
     pub n_vertices: u32,
     /// Repairs of the target, a sentence each.
     pub repairs: Vec<String>,
+    /// Rotations of the other poses that explain the surfaces as well, from the source to the target as in `points`, the best
+    /// first; empty unless the pose is ambiguous, and where two of these poses differ by more than a rotation.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rivals: Vec<[[f64; 3]; 3]>,
 }
 
 /// Reason why bytes are not a record.
@@ -139,6 +144,7 @@ impl Record {
         let verdict = output.document.verdict();
         let input = &output.document.provenance.target;
         let closed = output.target.boundary_vertices().is_none();
+        let is_mirrored = output.document.provenance.parameters.input.target.mirror;
         let facts = Facts {
             error: None,
             reliable: verdict.reliable,
@@ -155,12 +161,35 @@ impl Record {
             area_mm2: output.target.area(),
             n_vertices: distances.len() as u32,
             repairs: input.report.repairs.iter().map(|repair| repair.detail.clone()).collect(),
+            rivals: rivals(&output.document.poses, is_mirrored),
         };
-        let is_mirrored = output.document.provenance.parameters.input.target.mirror;
         let points = crate::mirror::in_file(bent.mesh.vertices().to_vec(), is_mirrored);
         let points = points.iter().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
         Record { facts, points }
     }
+}
+
+/// The rotations of the poses that are as good as the answer, in the coordinates of a record; none if a rotation alone does not
+/// say which pose it is.
+fn rivals(poses: &[PoseDocument], is_mirrored: bool) -> Vec<[[f64; 3]; 3]> {
+    let mut found: Vec<Matrix3<f64>> = Vec::new();
+    for pose in poses.iter().filter(|pose| pose.as_good) {
+        let linear = Matrix3::from_fn(|r, c| pose.matrix[r][c]);
+        let rotation = if is_mirrored { crate::mirror::linear() * linear } else { linear };
+        let is_rotation = rotation.determinant() > 0.0;
+        if !is_rotation || pose.angle_deg.to_radians() < SAME_POSE_ANGLE {
+            return Vec::new();
+        }
+        if !found.iter().any(|other| angle(&(other.transpose() * rotation)) < SAME_POSE_ANGLE) {
+            found.push(rotation);
+        }
+    }
+    found.iter().map(|m| std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)]))).collect()
+}
+
+/// The angle of a rotation, radians, from 0 to π.
+fn angle(rotation: &Matrix3<f64>) -> f64 {
+    f64::midpoint(rotation.trace(), -1.0).clamp(-1.0, 1.0).acos()
 }
 
 /// A hash of texts, each ended by a zero byte, which names a record by what it is made of: 64 hexadecimal digits.
@@ -241,6 +270,51 @@ mod tests {
         // A vertex that moves to the other side takes faces with it.
         bent[0] = -bent[0];
         assert!(of(&bent) > 0.0 && of(&bent) < 0.2);
+    }
+
+    #[test]
+    fn rivals_are_rotations_of_the_record_and_none_where_a_rotation_does_not_tell() {
+        let turned =
+            |radians: f64| *nalgebra::Rotation3::from_axis_angle(&nalgebra::Vector3::z_axis(), radians).matrix();
+        let pose = |linear: Matrix3<f64>, degrees: f64, as_good: bool| PoseDocument {
+            origin: homolog_contract::result::PoseOrigin::Search,
+            matrix: std::array::from_fn(|r| {
+                std::array::from_fn(|c| if r < 3 && c < 3 { linear[(r, c)] } else { f64::from(u8::from(r == c)) })
+            }),
+            angle_deg: degrees,
+            rms_mm: 1.0,
+            misfit: None,
+            mirrored: linear.determinant() < 0.0,
+            as_good,
+        };
+        let numbers =
+            |m: Matrix3<f64>| -> [[f64; 3]; 3] { std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)])) };
+        let (half, near, quarter) = (turned(3.0), turned(3.2), turned(1.5));
+        let poses = [
+            pose(half, 170.0, true),
+            pose(near, 180.0, true),
+            pose(turned(1.0), 57.0, false),
+            pose(quarter, 86.0, true),
+        ];
+        assert_eq!(rivals(&poses, false), [numbers(half), numbers(quarter)]);
+        let mirrored = poses.clone().map(|of| {
+            let linear = crate::mirror::linear() * Matrix3::from_fn(|r, c| of.matrix[r][c]);
+            pose(linear, of.angle_deg, of.as_good)
+        });
+        assert_eq!(rivals(&mirrored, true), [numbers(half), numbers(quarter)]);
+        assert!(rivals(&mirrored, false).is_empty(), "of the other handedness");
+        let shifted = [poses[0].clone(), pose(turned(0.1), 5.0, true)];
+        assert!(rivals(&shifted, false).is_empty(), "another place, not another rotation");
+    }
+
+    #[test]
+    fn a_record_without_rivals_has_the_bytes_of_earlier_builds() {
+        let record = Record { facts: Facts::default(), points: Vec::new() };
+        let text = String::from_utf8_lossy(&record.to_bytes()).into_owned();
+        assert!(text.contains("repairs") && !text.contains("rivals"));
+        let rival = Facts { rivals: vec![[[0.5, 0.25, 1.0]; 3]], ..Facts::default() };
+        let record = Record { facts: rival, points: Vec::new() };
+        assert_eq!(Record::from_bytes(&record.to_bytes()), Ok(record));
     }
 
     #[test]

@@ -15,6 +15,7 @@ use crate::measures::measured;
 use crate::model::ShapeModel;
 use crate::normative::{Bound, Calibration, Norm, largest};
 use crate::plan::{Matched, Records, Study};
+use crate::rivals::decide;
 use crate::settings::{Measure, Settings};
 use crate::subjects::SubjectOutcome;
 use homolog_contract::input::BodySide;
@@ -192,7 +193,8 @@ pub fn score(
 ) -> Result<SubjectScore, StudyError> {
     let observer = &Interruption(watcher);
     let mut matched = matched.clone();
-    let (subjects, members, _) = placed(study, &mut matched, folder, decisions, watcher)?;
+    let poses = decide(study, &mut matched, folder, decisions, observer)?;
+    let (subjects, members, _) = placed(study, (&mut matched, &poses), folder, decisions, watcher)?;
     if subjects[k].place == SubjectOutcome::Failed {
         let reason = subjects[k].facts.error.clone().unwrap_or_default();
         return Err(StudyError::TooFewMatches { matched: 0, all: 1, purpose: "to score the subject", reason });

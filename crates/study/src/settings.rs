@@ -24,6 +24,9 @@ pub struct Settings {
     /// What the visits of one person are matched with.
     #[serde(default, skip_serializing_if = "Visits::is_default")]
     pub visits: Visits,
+    /// What becomes of subjects whose pose is ambiguous.
+    #[serde(default, skip_serializing_if = "Rivals::is_default")]
+    pub rivals: Rivals,
     /// The statistics.
     pub analysis: Analysis,
     /// Number of subjects used to measure the consistency of maps; it is not measured with fewer than 3.
@@ -154,6 +157,47 @@ impl Visits {
 
     fn is_default(&self) -> bool {
         *self == Visits::GroupTemplate
+    }
+}
+
+/// What becomes of a subject that several poses explain as well (`ambiguous_pose`).
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Rivals {
+    /// The group decides which of its poses is right, where it can ([`crate::rivals`]).
+    #[default]
+    Decide,
+    /// It is left out, unless a person keeps it.
+    LeaveOut,
+}
+
+impl Rivals {
+    /// All, the default of the command and of the service first.
+    pub const ALL: [Rivals; 2] = [Rivals::Decide, Rivals::LeaveOut];
+
+    /// The name used in files and JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Rivals::Decide => "decide",
+            Rivals::LeaveOut => "leave_out",
+        }
+    }
+
+    /// The name used in options of the command.
+    pub fn option(self) -> &'static str {
+        match self {
+            Rivals::Decide => "decide",
+            Rivals::LeaveOut => "leave-out",
+        }
+    }
+
+    /// The choice with a name.
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|of| of.name() == name || of.option() == name)
+    }
+
+    fn is_default(&self) -> bool {
+        *self == Rivals::Decide
     }
 }
 

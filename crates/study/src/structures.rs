@@ -15,6 +15,7 @@ use crate::joint::JointFindings;
 use crate::matching::{Interruption, StudyObserver};
 use crate::plan::{Cycles, Matched, Records, Step, Study, Template, TemplateHistory};
 use crate::record::{Facts, Record, hash_of_texts};
+use crate::rivals::decide;
 use crate::settings::{Correspondence, MadeTemplate, Settings, TemplateChoice, Visits};
 use crate::subjects::{StructureFindings, SubjectFindings, SubjectOutcome};
 use homolog_primitives::observe::{Observer, checkpoint};
@@ -115,6 +116,9 @@ impl GroupStudy {
                             for task in &mut tasks {
                                 let given = |row: Option<usize>| row.map(|row| part.given[row]);
                                 (task.source, task.target) = (given(task.source), given(task.target));
+                                if let Some(rival) = &mut task.rival {
+                                    rival.subject = part.given[rival.subject];
+                                }
                             }
                             return Ok(Step::Match { purpose, template, tasks, finished, own });
                         }
@@ -303,8 +307,9 @@ impl ComplexStudy {
         for (part, matched) in self.parts.iter().zip(matched) {
             let (mut matched, named) = (matched.clone(), Named { structure: &part.name, watcher });
             let own = decisions_on_rows(&part.study.cohort, decisions);
+            let group = decide(&part.study, &mut matched, folder, &own, observer)?;
             let (rows, _, joint) =
-                placed(&part.study, &mut matched, folder, &own, &named).map_err(of_structure(&part.name))?;
+                placed(&part.study, (&mut matched, &group), folder, &own, &named).map_err(of_structure(&part.name))?;
             placed_parts.push(PlacedPart { part, matched, rows, joint });
         }
         let persons = self.rows.persons();
@@ -345,7 +350,7 @@ impl ComplexStudy {
             persons: Vec::new(),
         };
         let making = TemplateHistory { template, rounds: Vec::new() };
-        let matched = Matched { making, keys, cycles: Cycles::default(), own: Vec::new() };
+        let matched = Matched { making, keys, cycles: Cycles::default(), own: Vec::new(), rivals: Vec::new() };
         let ComplexStudy { rows, hashes, settings, .. } = self;
         let complex = Complex { structures, rows, hashes, settings, of_persons };
         let found = find_with((&study, &matched, Some(complex)), folder, &decided, watcher)?;
@@ -409,7 +414,8 @@ fn structures_of(parts: &[PlacedPart<'_>], rows: &[Option<usize>]) -> Vec<Struct
         let name = part.part.name.clone();
         let missing = || Facts { error: Some(format!("no structure {name}")), ..Facts::default() };
         let facts = row.map_or_else(missing, |row| part.rows[row].facts.clone());
-        StructureFindings { name, facts, pose: None }
+        let group = row.and_then(|row| part.rows[row].group);
+        StructureFindings { name, facts, group, pose: None }
     };
     parts.iter().zip(rows).map(of).collect()
 }
@@ -447,6 +453,7 @@ fn facts(structures: &[StructureFindings], rows: &[Option<usize>]) -> Facts {
         area_mm2: each().map(|facts| facts.area_mm2).sum(),
         n_vertices: each().map(|facts| facts.n_vertices).sum(),
         repairs: named(&|facts| facts.repairs.clone()),
+        rivals: Vec::new(),
     }
 }
 

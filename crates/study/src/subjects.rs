@@ -2,6 +2,7 @@
 
 use crate::folder::Decision;
 use crate::record::Facts;
+use crate::rivals::GroupDecision;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -50,6 +51,8 @@ pub enum Flag {
     UnusualShape,
     /// Its size is unusual.
     UnusualSize,
+    /// Its match leaves the pose open, and the group decided it.
+    PoseByGroup,
 }
 
 impl Flag {
@@ -62,6 +65,7 @@ impl Flag {
             Flag::UnusualFolds => "unusual folds",
             Flag::UnusualShape => "unusual shape",
             Flag::UnusualSize => "unusual size",
+            Flag::PoseByGroup => "pose decided by the group",
         }
     }
 }
@@ -91,8 +95,18 @@ pub struct StructureFindings {
     pub name: String,
     /// Facts on its surface and its match.
     pub facts: Facts,
+    /// What the group says about its pose, if its match leaves it open.
+    pub group: Option<GroupDecision>,
     /// Its pose; `None` for the first structure, and where a structure has no match.
     pub pose: Option<RelativePose>,
+}
+
+impl SubjectFindings {
+    /// What the group says about the pose, with the name of the structure where there are several.
+    pub fn group_decisions(&self) -> impl Iterator<Item = (Option<&str>, &GroupDecision)> {
+        let of_structures = self.structures.iter().filter_map(|of| Some((Some(of.name.as_str()), of.group.as_ref()?)));
+        self.group.iter().map(|own| (None, own)).chain(of_structures)
+    }
 }
 
 /// Findings for one subject.
@@ -104,6 +118,8 @@ pub struct SubjectFindings {
     pub facts: Facts,
     /// Decision, if any.
     pub decision: Option<Decision>,
+    /// What the group says about its pose, if its match leaves it open.
+    pub group: Option<GroupDecision>,
     /// Centroid size of its shape, mm.
     pub size_mm: f64,
     /// Scores, mm.

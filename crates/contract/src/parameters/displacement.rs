@@ -27,6 +27,8 @@ pub enum FieldStarts {
     Inference,
     /// Those of a search of all orientations, for comparison.
     Search,
+    /// That of `registration.initial` alone, which is then not `search`: the answer keeps this pose, and no other is compared with it.
+    Initial,
 }
 
 /// Basis of the confidences and spreads of a displacement field.

@@ -2,7 +2,7 @@
 //! parameters. The check of a request, the tests of the extremes and descriptions of the parameters all read these
 //! tables.
 
-use super::{Algorithm, ClampingMode, InitialPose, LabelChoice, MatchParameters, ParameterError, Repair};
+use super::{Algorithm, ClampingMode, FieldStarts, InitialPose, LabelChoice, MatchParameters, ParameterError, Repair};
 
 /// The indices of a value in the lists that its name passes through, and the value; `None` stands for `null`.
 type Visit<'v> = &'v mut dyn FnMut(&[usize], Option<f64>);
@@ -341,6 +341,11 @@ impl MatchParameters {
             alone || self.registration.initial == InitialPose::Ransac,
             "/registration/initial",
             "must be ransac unless inference.algorithm is none",
+        );
+        check(
+            self.registration.initial != InitialPose::Search || self.displacement.starts != FieldStarts::Initial,
+            "/displacement/starts",
+            "must not be initial where registration.initial is search: there is no initial pose to keep",
         );
         check(
             !alone || self.clamping.mode == ClampingMode::None,

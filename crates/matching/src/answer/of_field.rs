@@ -7,7 +7,6 @@ use crate::pair::scene::Scene;
 use crate::poses::compared::{ComparedPose, Origin};
 use crate::starts::candidates::Start;
 use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument, UNRELIABLE_CONFIDENCE};
-use homolog_registration::RigidTransform;
 
 /// The answer of a displacement field; confidences are lowered if `reliability` is low.
 pub(crate) fn answered(
@@ -29,7 +28,7 @@ pub(crate) fn answered(
         labeling: found.images.iter().map(|image| image.label).collect(),
         confidence,
         spread_mm: found.images.iter().map(|image| image.spread_mm).collect(),
-        poses: found.compared.iter().map(|compared| document(scene, starts, compared, &found.transform)).collect(),
+        poses: found.compared.iter().map(|compared| document(scene, starts, compared, found)).collect(),
         images: Images::Smooth(SmoothImages {
             points: found.images.iter().map(|image| image.closest).collect(),
             moved: found.images.iter().map(|image| image.moved).collect(),
@@ -42,7 +41,7 @@ pub(crate) fn answered(
 }
 
 /// Converts a compared pose to its result document.
-fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, answered: &RigidTransform) -> PoseDocument {
+fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, found: &DisplacementAnswer) -> PoseDocument {
     let (origin, pose) = match compared.origin {
         Origin::Pose(k) => (starts[k].origin, starts[k].pose),
         Origin::Bent(pose) => (PoseOrigin::Form, pose),
@@ -50,9 +49,10 @@ fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, answer
     PoseDocument {
         origin,
         matrix: pose.matrix(),
-        angle_deg: pose.angle_to(answered).to_degrees(),
+        angle_deg: pose.angle_to(&found.transform).to_degrees(),
         rms_mm: scene.sample_rms_mm(&pose),
         misfit: Some(compared.misfit),
         mirrored: compared.mirrored,
+        as_good: compared.is_as_good_as(&found.compared[0]),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::displacement::DisplacementAnswer;
 use super::images::Image;
-use crate::poses::compared::{ComparedPose, ComparisonOutcome};
+use crate::poses::compared::ComparisonOutcome;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 
@@ -60,8 +60,7 @@ pub(crate) fn reliability(found: &DisplacementAnswer) -> ReliabilityDocument {
     if found.compared[1..].iter().any(|other| other.finer == ComparisonOutcome::Better) {
         reasons.push(UnreliableReason::OtherHandedness);
     }
-    let is_rival = |other: &ComparedPose| other.mirrored == best.mirrored && other.finer == ComparisonOutcome::AsGood;
-    if found.compared[1..].iter().any(is_rival) {
+    if found.compared[1..].iter().any(|other| other.is_as_good_as(&best)) {
         reasons.push(UnreliableReason::AmbiguousPose);
     }
     answer.reliable = reasons.is_empty();
@@ -73,7 +72,7 @@ pub(crate) fn reliability(found: &DisplacementAnswer) -> ReliabilityDocument {
 mod tests {
     use super::*;
     use crate::field::agreement::Agreement;
-    use crate::poses::compared::Origin;
+    use crate::poses::compared::{ComparedPose, Origin};
     use homolog_registration::RigidTransform;
 
     #[test]

@@ -51,6 +51,7 @@ pub(crate) fn register(scene: &Scene<'_>) -> Result<Registered, MatchError> {
         rms_mm,
         misfit: None,
         mirrored: pose.is_reflection(),
+        as_good: false,
     });
     Ok(Registered { transform, poses: poses.collect(), ambiguous_axes })
 }

@@ -31,7 +31,7 @@ use parking_lot::Mutex;
 ///
 /// With a displacement field the compared poses are the pose of `find_pose`, the pose of the landmarks, the poses that the
 /// labels of an energy support and, if these leave a doubt, the poses of a search of all orientations, including poses
-/// that mirror. The pose that fits best after the deformation is kept. If no field can be fitted, the images are those
+/// that mirror; or the first two alone (`displacement.starts`). The pose that fits best after the deformation is kept. If no field can be fitted, the images are those
 /// of the pose of `find_pose`, of registration alone if the pose was left to the field, or else of the first of the other
 /// poses. A published method starts from the first of these poses.
 ///
@@ -82,6 +82,11 @@ fn own_pose(posed: &PoseResult<'_>) -> Option<(PoseOrigin, RigidTransform)> {
         PoseResult::Registration(_) | PoseResult::ByField => PoseOrigin::Registration,
     };
     posed.transform().map(|pose| (origin, pose))
+}
+
+/// Whether the field begins from the pose of `find_pose` alone.
+fn keeps_pose(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>) -> bool {
+    coarse.full.parameters.displacement.starts == FieldStarts::Initial && posed.transform().is_some()
 }
 
 /// The images of a rigid pose.
@@ -162,6 +167,7 @@ fn by_field(
             let poses: Vec<RigidTransform> = inferred.poses().collect();
             starts.add_inferred(coarse, &poses, |pose| aligned_shortly(coarse, pose));
         }
+        None if keeps_pose(coarse, posed) => {}
         None => starts.add_searched(coarse),
     }
     observer.phase(Phase::Displacement);

@@ -44,6 +44,13 @@ pub(crate) struct ComparedPose {
     pub finer: ComparisonOutcome,
 }
 
+impl ComparedPose {
+    /// Whether this start, of the handedness of the `best`, explains the surfaces as well.
+    pub(crate) fn is_as_good_as(&self, best: &ComparedPose) -> bool {
+        self.mirrored == best.mirrored && self.finer == ComparisonOutcome::AsGood
+    }
+}
+
 /// How a start fared in later stages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ComparisonOutcome {

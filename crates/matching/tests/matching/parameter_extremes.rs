@@ -90,7 +90,7 @@ fn factors() -> Vec<Factor> {
         ]),
     );
     choice("displacement.bending", &names(&["none", "straightened", "near_isometry"]));
-    choice("displacement.starts", &names(&["inference", "search"]));
+    choice("displacement.starts", &names(&["inference", "search", "initial"]));
     choice("displacement.uncertainty", &names(&["posterior", "residual"]));
     choice("both_directions", &[json!(false), json!(true)]);
     choice("seed", &[json!(0), json!(u64::MAX)]);

@@ -12,7 +12,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Matched, Records, Step, Study};
 use homolog_study::record::Record;
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use homolog_study::storage::Inputs;
 use nalgebra::Point3;
@@ -137,6 +137,7 @@ impl Bench {
             size: Size::Kept,
             correspondence,
             visits: Visits::default(),
+            rivals: Rivals::default(),
             analysis: Analysis {
                 effect: Some("group".to_owned()),
                 reference: vec![("group".to_owned(), "control".to_owned())],

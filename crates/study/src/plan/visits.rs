@@ -157,7 +157,7 @@ impl Study {
             for (person, found) in persons.iter().zip(&found) {
                 let Some(found) = found else { continue };
                 let of_visits = found.visits.iter().cloned().zip(&person.visits);
-                let task = |(key, &k)| Task { key, source: None, target: Some(k), own: Some(own.len()) };
+                let task = |(key, &k)| Task { key, source: None, target: Some(k), own: Some(own.len()), rival: None };
                 tasks.extend(of_visits.map(task));
                 own.push(found.first.clone());
             }

@@ -5,7 +5,9 @@ use crate::complex::Structure;
 use crate::findings::Findings;
 use crate::joint::JointFindings;
 use crate::plan::Study;
+use crate::rivals::GroupDecision;
 use crate::settings::{Size, TemplateChoice, Visits};
+use crate::subjects::SubjectFindings;
 use homolog_contract::parameters::Method;
 
 /// The section on methods.
@@ -40,6 +42,7 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
              the map to the visit. All other visits were matched directly."
         ));
     }
+    paragraphs.extend(poses(found));
     paragraphs.extend(found.joint.as_ref().map(|joint| joint_maps("all subjects", joint)));
     for structure in found.complex.iter().flat_map(|complex| &complex.structures) {
         let what = format!("the {}", escaped(&structure.name));
@@ -149,6 +152,23 @@ fn of_structures(structures: &[Structure]) -> String {
     )
 }
 
+/// How poses that matches leave open were decided; `None` where there are none.
+fn poses(found: &Findings) -> Option<String> {
+    let all: Vec<&GroupDecision> =
+        found.subjects.iter().flat_map(SubjectFindings::group_decisions).map(|(_, decision)| decision).collect();
+    let decided = all.iter().filter(|decision| decision.decided).count();
+    (!all.is_empty()).then(|| {
+        format!(
+            "Several poses explained {} surfaces equally well. Each was matched in all of these poses, and the pose was taken whose map \
+             is consistent with those of the other subjects: shapes were taken as draws from one Gaussian distribution with the \
+             variance of the reliable subjects in each independent direction, and marginal probabilities were computed by belief \
+             propagation over all subjects. {decided} had a marginal of at least 0.95 and a shape within the range of the reliable subjects; \
+             the others are left out unless a decision keeps them. Covariates were not used.",
+            all.len()
+        )
+    })
+}
+
 /// How joint maps were made.
 fn joint_maps(whose: &str, joint: &JointFindings) -> String {
     let slid = joint.rounds.last().map_or(0.0, |round| round.slid_mm);
@@ -181,6 +201,9 @@ pub(super) fn references(study: &Study, found: &Findings) -> String {
     if settings.visits == Visits::OwnTemplate {
         list.push(OWN_TEMPLATES);
     }
+    if poses(found).is_some() {
+        list.extend([BELIEF_PROPAGATION, CONSISTENT_MAPS]);
+    }
     if found.joint_maps().next().is_some() {
         list.extend([ENTROPY, PROBABILISTIC_COMPONENTS]);
     }
@@ -204,6 +227,8 @@ pub(super) fn references(study: &Study, found: &Findings) -> String {
 }
 
 const BCPD: &str = "Hirose, O. (2021). A Bayesian formulation of coherent point drift. IEEE Transactions on Pattern Analysis and Machine Intelligence 43(7), 2269–2286.";
+const BELIEF_PROPAGATION: &str = "Pearl, J. (1988). Probabilistic Reasoning in Intelligent Systems. Morgan Kaufmann.";
+const CONSISTENT_MAPS: &str = "Nguyen, A., Ben-Chen, M., Welnicka, K., Ye, Y., Guibas, L. (2011). An optimization approach to improving collections of shape maps. Computer Graphics Forum 30(5), 1481–1491.";
 const CPD: &str = "Myronenko, A., Song, X. (2010). Point set registration: coherent point drift. IEEE Transactions on Pattern Analysis and Machine Intelligence 32(12), 2262–2275.";
 const DICE: &str =
     "Dice, L. R. (1945). Measures of the amount of ecologic association between species. Ecology 26(3), 297–302.";

@@ -14,6 +14,7 @@ use crate::folder::Folder;
 use crate::measures::measured;
 use crate::plan::{Matched, Round, Study};
 use crate::quality::most_urgent_first;
+use crate::rivals::GroupDecision;
 use crate::settings::Measure;
 use crate::subjects::SubjectOutcome;
 use base64::Engine as _;
@@ -142,6 +143,17 @@ fn reason_in_words(reason: &str) -> String {
     words
 }
 
+/// What the group says about a pose.
+fn pose_in_words(structure: Option<&str>, on: &GroupDecision) -> String {
+    let GroupDecision { candidates, candidate, marginal, decided, reliable } = *on;
+    let of = structure.map_or(String::new(), |name| format!("{}: ", escaped(name)));
+    let map = if candidate == 0 { "that of its match".to_owned() } else { format!("rival {candidate}") };
+    let verb = if decided { "decided" } else { "not decided" };
+    format!(
+        "{of}pose {verb} by {reliable} reliable subjects: {map} of {candidates} poses has probability {marginal:.3}"
+    )
+}
+
 /// The table of quality control, the most urgent first.
 fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> String {
     let mut rows = String::new();
@@ -160,6 +172,7 @@ fn quality(study: &Study, found: &Findings, pictures: &[(usize, usize)]) -> Stri
         let mut why: Vec<String> = subject.flags.iter().map(|flag| flag.title().to_owned()).collect();
         why.extend(subject.facts.reasons.iter().map(|reason| reason_in_words(reason)));
         why.extend(subject.facts.error.iter().map(|error| escaped(error)));
+        why.extend(subject.group_decisions().map(|(structure, on)| pose_in_words(structure, on)));
         if let Some(decision) = &subject.decision {
             why.push(format!("decided: {}", escaped(&decision.reason)));
         }

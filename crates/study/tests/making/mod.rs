@@ -14,7 +14,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Rivals, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use nalgebra::{Point3, Vector3};
 use std::collections::BTreeMap;
@@ -115,6 +115,7 @@ pub(crate) fn made_with(
         size: Size::Kept,
         correspondence,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis,
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

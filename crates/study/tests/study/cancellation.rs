@@ -11,7 +11,7 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Matched, Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Rivals, Settings, Size, TemplateChoice, Visits};
 use nalgebra::{Point3, Vector3};
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -55,6 +55,7 @@ fn matched(place: &Path, longitudinal: bool, analysis: Analysis) -> (Study, Matc
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis { effect: Some("group".to_owned()), adjust: vec!["age".to_owned()], ..analysis },
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

@@ -8,7 +8,7 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Rivals, Settings, Size, TemplateChoice, Visits};
 use nalgebra::Vector3;
 use std::collections::HashSet;
 
@@ -37,6 +37,7 @@ fn study(place: &std::path::Path, template: TemplateChoice) -> (Study, Folder) {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis { effect: Some("group".to_owned()), ..Analysis::default() },
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

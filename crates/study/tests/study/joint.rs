@@ -11,7 +11,7 @@ use homolog_study::folder::{Folder, record_name};
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Records, Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Rivals, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use homolog_study::subjects::SubjectOutcome;
 use nalgebra::{Point3, Rotation3, Vector3};
@@ -96,6 +96,7 @@ fn studied(
         size,
         correspondence: how,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis::default(),
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

@@ -10,7 +10,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Rivals, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use std::collections::BTreeMap;
 use std::io;
@@ -66,6 +66,7 @@ fn studied(shapes: &[Vec<[f32; 3]>], permutations: usize, within: bool, shown: b
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis {
             effect: Some("side".to_owned()),
             adjust: vec!["age".to_owned()],

@@ -12,7 +12,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::score::{NewSubject, Reference, Subgroup, SubjectScore, add, score};
-use homolog_study::settings::{Analysis, Correspondence, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Rivals, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -45,6 +45,7 @@ fn settings() -> Settings {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis::default(),
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

@@ -14,7 +14,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::path::Path;
@@ -63,6 +63,7 @@ fn settings(effect: &str) -> Settings {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis {
             effect: Some(effect.to_owned()),
             measures: vec![Measure::NormalDisplacement],

@@ -14,7 +14,7 @@ use homolog_study::output::{read_document, write};
 use homolog_study::plan::{Step, Study};
 use homolog_study::record::{Facts, Record};
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use homolog_study::storage::Inputs;
 use homolog_study::structures::GroupStudy;
@@ -109,6 +109,7 @@ fn settings(measures: Vec<Measure>) -> Settings {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::GroupTemplate,
+        rivals: Rivals::Decide,
         analysis: Analysis {
             effect: Some("group".to_owned()),
             adjust: vec!["age".to_owned()],

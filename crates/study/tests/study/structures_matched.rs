@@ -16,7 +16,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use homolog_study::structures::GroupStudy;
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -94,6 +94,7 @@ fn settings(correspondence: Correspondence) -> Settings {
         size: Size::Kept,
         correspondence,
         visits: Visits::GroupTemplate,
+        rivals: Rivals::Decide,
         analysis: Analysis {
             effect: Some("side".to_owned()),
             measures: vec![Measure::NormalDisplacement],

@@ -12,7 +12,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::output::{read_document, write};
 use homolog_study::plan::Study;
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use homolog_study::subjects::{Flag, SubjectOutcome};
 use nalgebra::{Point3, Vector3};
@@ -53,6 +53,7 @@ fn settings() -> Settings {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis {
             effect: Some("group".to_owned()),
             adjust: vec!["age".to_owned()],

@@ -14,7 +14,7 @@ use homolog_study::cohort::Cohort;
 use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::plan::{Study, TemplateHistory};
-use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, MadeTemplate, Rivals, Settings, Size, TemplateChoice, Visits};
 use nalgebra::{Point3, Rotation3, Vector3};
 use std::path::Path;
 
@@ -76,6 +76,7 @@ fn made(folder: &Path, start: usize) -> TemplateHistory {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::default(),
+        rivals: Rivals::default(),
         analysis: Analysis::default(),
         cycle_subjects: 0,
         cycle_ring: Vec::new(),

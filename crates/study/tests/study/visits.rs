@@ -16,7 +16,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::measures::measured;
 use homolog_study::plan::{Purpose, Records, Step, Study, Task, Template};
 use homolog_study::record::{Facts, Record};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Rivals, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use nalgebra::{Point3, Rotation3, Vector3};
 use std::collections::BTreeMap;
@@ -152,6 +152,7 @@ impl Made {
             size: Size::Kept,
             correspondence: self.correspondence,
             visits: self.visits,
+            rivals: Rivals::Decide,
             analysis: Analysis::default(),
             cycle_subjects: 0,
             cycle_ring: Vec::new(),

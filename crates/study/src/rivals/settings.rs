@@ -1,0 +1,38 @@
+//! Numbers that decide about the poses of subjects, each with its reason.
+
+/// Fewest reliable subjects from which the group decides: the scale of their differences is a variance, and the farthest of two
+/// is no range.
+pub(crate) const FEWEST_RELIABLE: usize = 3;
+
+/// Settings of the decision between candidates.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct GroupSettings {
+    /// Marginal probability from which a candidate is taken: the conventional level, one error in twenty.
+    pub level: f64,
+    /// Patches of the template whose mean positions are compared. Shapes vary smoothly, in far fewer directions.
+    pub patches: usize,
+    /// Most reliable subjects whose shapes are observed; more hardly change their mean.
+    pub most_observed: usize,
+    /// Most variables that are decided together; bounds the memory of the pairwise potentials.
+    pub together: usize,
+    /// Share of the old message that is kept; damps oscillations in loops.
+    pub damping: f32,
+    /// Most iterations of belief propagation. Graphs of all pairs have a diameter of one, so that messages settle in tens.
+    pub iterations: u32,
+    /// Largest change of a message (maximum 1) at which propagation ends.
+    pub tolerance: f32,
+}
+
+impl Default for GroupSettings {
+    fn default() -> Self {
+        GroupSettings {
+            level: 0.95,
+            patches: 256,
+            most_observed: 200,
+            together: 200,
+            damping: 0.5,
+            iterations: 300,
+            tolerance: 1e-6,
+        }
+    }
+}

@@ -12,8 +12,9 @@ use homolog_mrf::metric::{ActiveOptions, MetricEdge, MetricModel, Semiring};
 /// Potential, in a pair, above which a combination of candidates is impossible: `exp(−80)` is just above the smallest message.
 /// Where two subjects contradict each other more strongly than this, the range of the reliable subjects decides.
 const TRUNCATION: f32 = 80.0;
-/// Potential of a candidate of another variable.
-const IMPOSSIBLE: f32 = 1e6;
+/// Potentials of labels that no candidate has, and of candidates of other variables; both have probability 0.
+const FILLED_UP: f32 = 1e3;
+const OF_OTHERS: f32 = 1e6;
 
 /// Energy of the candidates of a group, lower is better, in units of log-likelihood.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,25 +32,24 @@ fn least(of: &[f64]) -> f64 {
 impl GroupEnergy {
     /// The marginal of each candidate of each variable under `p ∝ exp(−E)`, as far as belief propagation knows them.
     pub(super) fn marginals(&self, settings: &GroupSettings) -> Vec<Vec<f64>> {
-        let mut first = vec![0usize];
-        for candidates in &self.unary {
-            first.push(first[first.len() - 1] + candidates.len());
-        }
-        let n_labels = first[first.len() - 1];
+        let most = self.unary.iter().map(Vec::len).max().unwrap_or(0);
+        let n_labels = self.unary.len() * most;
         if n_labels == 0 {
             return Vec::new();
         }
-        let mut unary = vec![IMPOSSIBLE; self.unary.len() * n_labels];
+        // Variables of fewer candidates than others are filled up with labels that nothing is consistent with.
+        let mut unary = vec![OF_OTHERS; self.unary.len() * n_labels];
         for (i, candidates) in self.unary.iter().enumerate() {
             let least = least(candidates);
-            let row = &mut unary[i * n_labels + first[i]..];
+            let row = &mut unary[i * n_labels + i * most..][..most];
+            row.fill(FILLED_UP);
             row.iter_mut().zip(candidates).for_each(|(slot, u)| *slot = (u - least) as f32);
         }
-        let (mut distances, mut edges) = (vec![0.0f32; n_labels * n_labels], Vec::new());
+        let (mut distances, mut edges) = (vec![TRUNCATION.sqrt(); n_labels * n_labels], Vec::new());
         for ([i, j], potentials) in &self.pairwise {
             let (least, width) = (least(potentials), self.unary[*j].len());
             for (at, potential) in potentials.iter().enumerate() {
-                let (x, y) = (first[*i] + at / width, first[*j] + at % width);
+                let (x, y) = (i * most + at / width, j * most + at % width);
                 let distance = (potential - least).sqrt() as f32;
                 distances[x * n_labels + y] = distance;
                 distances[y * n_labels + x] = distance;
@@ -57,26 +57,18 @@ impl GroupEnergy {
             edges.push(MetricEdge { ends: [*i as u32, *j as u32], length: 0.0, weight: 1.0 });
         }
         let model = MetricModel::new(distances, unary, edges, TRUNCATION);
-        let most = self.unary.iter().map(Vec::len).max().unwrap_or(0);
         let active = model.cheapest(&[], most);
         let options = ActiveOptions {
             semiring: Semiring::Sum,
             iterations: settings.iterations,
             damping: settings.damping,
-            tolerance: settings.tolerance,
+            tolerance: 0.0,
         };
         let beliefs = model.propagate(&active, &[], &options, |_, _, _| {});
         let marginal = |(i, candidates): (usize, &Vec<f64>)| {
-            let mut own = vec![0.0; candidates.len()];
-            for (label, belief) in beliefs.active.of(i).iter().zip(beliefs.of(i)) {
-                // Variables of fewer candidates than others also have labels of others, which are impossible.
-                if let Some(slot) = (*label as usize).checked_sub(first[i]).and_then(|at| own.get_mut(at)) {
-                    *slot = f64::from(*belief);
-                }
-            }
-            let sum: f64 = own.iter().sum();
-            own.iter_mut().for_each(|p| *p /= sum);
-            own
+            let own = beliefs.of(i).iter().take(candidates.len()).map(|&belief| f64::from(belief));
+            let sum: f64 = own.clone().sum();
+            own.map(|belief| belief / sum).collect()
         };
         self.unary.iter().enumerate().map(marginal).collect()
     }

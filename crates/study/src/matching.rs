@@ -175,8 +175,8 @@ impl Study {
         let mut step = self.next(folder, &observer)?;
         match &mut step {
             Step::Matched(matched) => self.compose(matched, folder, &observer)?,
-            Step::Match { purpose: Purpose::Rivals, template, tasks, own, .. } => {
-                *own = rival_surfaces(self, template, tasks, folder, &observer)?;
+            Step::Match { purpose: Purpose::Rivals, tasks, own, .. } => {
+                *own = rival_surfaces(self, tasks, folder, &observer)?;
             }
             Step::Match { .. } => {}
         }

@@ -81,7 +81,7 @@ pub struct Round {
 }
 
 /// A match that a study needs.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Task {
     /// Name of the record: a hash of both files, the parameters and the version of the program, 64 hexadecimal digits.
     pub key: String,

@@ -188,7 +188,7 @@ fn rivals(poses: &[PoseDocument], is_mirrored: bool) -> Vec<[[f64; 3]; 3]> {
 }
 
 /// The angle of a rotation, radians, from 0 to π.
-fn angle(rotation: &Matrix3<f64>) -> f64 {
+pub(crate) fn angle(rotation: &Matrix3<f64>) -> f64 {
     f64::midpoint(rotation.trace(), -1.0).clamp(-1.0, 1.0).acos()
 }
 

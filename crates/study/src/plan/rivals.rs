@@ -3,11 +3,16 @@
 //! A match in a rival pose is that of the template with the surface of the subject, turned back by the rotation of the pose
 //! about the origin, so that the pose becomes a translation. The field then begins from the centroids alone
 //! ([`RIVAL_PARAMETERS`]), and no other pose competes.
+//!
+//! A match follows few poses, so the right one may not be among the rivals that it names. But a rival of one subject is an
+//! approximate symmetry of the template, which all subjects share: the poses of a subject are those that its own match names, and
+//! the pose of its match after the symmetries that the matches of others have shown, the most frequent first, and products of these.
 
+use crate::align::{area_weights, fit_onto, points};
 use crate::cohort::Role;
 use crate::error::StudyError;
 use crate::plan::{Purpose, Records, Step, Study, Task, Template};
-use crate::record::{Facts, hash_of_texts};
+use crate::record::{Facts, angle, hash_of_texts};
 use crate::rivals::FEWEST_RELIABLE;
 use crate::settings::Rivals;
 use homolog_contract::parameters::{
@@ -15,12 +20,14 @@ use homolog_contract::parameters::{
 };
 use homolog_contract::result::UnreliableReason;
 use homolog_primitives::observe::{Observer, checkpoint};
+use homolog_registration::SAME_POSE_ANGLE;
+use nalgebra::Matrix3;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashSet};
 
 /// Version of these matches in the names of their records.
 const VERSION: &str = "rival 1";
-/// Most rival poses of a subject. The poses of a box are four; a shape of more poses has no feature that a group could see.
+/// Most rival poses of a subject; a box and an ellipsoid have three.
 const MOST: usize = 4;
 /// Matches of a step, whose surfaces are in memory at a time.
 const AT_A_TIME: usize = 64;
@@ -34,22 +41,30 @@ pub const RIVAL_PARAMETERS: [(&str, &str); 4] = [
 ];
 
 /// A rival pose of a subject.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rival {
     /// The subject, as an index into the cohort.
     pub subject: usize,
-    /// The pose, as an index into those of the record of its match.
-    pub pose: usize,
+    /// The rotation from the template to the surface of its records.
+    pub rotation: [[f64; 3]; 3],
 }
 
 /// A subject of ambiguous pose, and its maps in the rival poses.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct SubjectRivals {
     /// The subject, as an index into the cohort.
     pub subject: usize,
-    /// Keys of the records in the rival poses, in the order of the poses in the record of its match. Their points are those of
-    /// the surface turned back.
+    /// The rotations of the poses.
+    pub rotations: Vec<[[f64; 3]; 3]>,
+    /// Keys of the records in these poses. Their points are those of the surface turned back.
     pub keys: Vec<String>,
+}
+
+/// A subject whose pose is ambiguous: the rotation of its match, and those of the rivals that this names.
+struct Ambiguous {
+    subject: usize,
+    own: Matrix3<f64>,
+    rivals: Vec<Matrix3<f64>>,
 }
 
 /// Missing matches in rival poses, or all of them.
@@ -83,6 +98,51 @@ fn is_ambiguous(facts: &Facts) -> bool {
     facts.reliable == Some(false) && is_only && !facts.rivals.is_empty()
 }
 
+/// Adds a rotation to those that are counted; near ones are the same.
+fn count(rotation: Matrix3<f64>, counted: &mut Vec<(usize, Matrix3<f64>)>) {
+    match counted.iter_mut().find(|(_, known)| are_same(known, &rotation)) {
+        Some((n, _)) => *n += 1,
+        None => counted.push((1, rotation)),
+    }
+}
+
+fn are_same(a: &Matrix3<f64>, b: &Matrix3<f64>) -> bool {
+    angle(&(a.transpose() * b)) < SAME_POSE_ANGLE
+}
+
+/// The approximate symmetries of the template that the rivals of subjects show, the most frequent first, then products of two.
+/// `ambiguous` in an order that does not depend on that of the cohort.
+fn symmetries(ambiguous: &[&Ambiguous]) -> Vec<Matrix3<f64>> {
+    let mut counted = Vec::new();
+    for Ambiguous { own, rivals, .. } in ambiguous {
+        rivals.iter().for_each(|rival| count(own.transpose() * rival, &mut counted));
+    }
+    counted.sort_by_key(|(n, _)| std::cmp::Reverse(*n));
+    counted.truncate(MOST);
+    let mut all: Vec<Matrix3<f64>> = counted.into_iter().map(|(_, symmetry)| symmetry).collect();
+    let shown = all.len();
+    for (a, b) in (0..shown).flat_map(|a| (0..shown).map(move |b| (a, b))) {
+        let product = all[a] * all[b];
+        if !are_same(&product, &Matrix3::identity()) && !all.iter().any(|known| are_same(known, &product)) {
+            all.push(product);
+        }
+    }
+    all
+}
+
+/// The rival poses of a subject: those of its match, and that of its match after each of the symmetries.
+fn poses(of: &Ambiguous, symmetries: &[Matrix3<f64>]) -> Vec<[[f64; 3]; 3]> {
+    let mut all = of.rivals.clone();
+    for symmetry in symmetries {
+        let pose = of.own * symmetry;
+        if !are_same(&pose, &of.own) && !all.iter().any(|known| are_same(known, &pose)) {
+            all.push(pose);
+        }
+    }
+    all.truncate(MOST);
+    all.iter().map(|m| std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)]))).collect()
+}
+
 /// Names the match in a rival pose by the match that found the pose, which depends on everything else.
 fn key_of(own: &str, rotation: &[[f64; 3]; 3]) -> String {
     hash_of_texts([VERSION, env!("CARGO_PKG_VERSION"), own, &format!("{rotation:?}")])
@@ -109,38 +169,48 @@ impl Study {
         if self.settings.rivals == Rivals::LeaveOut || !are_compared(&self.settings.parameters) {
             return Ok(RivalsState::Ready(Vec::new()));
         }
-        let n_vertices = template.mesh.n_vertices();
-        let found: Vec<Option<Facts>> = keys
+        let (vertices, weights) = (template.mesh.vertices(), area_weights(&template.mesh));
+        let found: Vec<(bool, Option<Ambiguous>)> = keys
             .par_iter()
             .enumerate()
-            .map(|(k, key)| {
+            .map(|(subject, key)| {
                 checkpoint(observer)?;
-                let record = if composed.contains(&k) { None } else { records.get(key)? };
-                Ok(record.filter(|record| record.is_map_of(n_vertices)).map(|record| record.facts))
+                let record = if composed.contains(&subject) { None } else { records.get(key)? };
+                let Some(record) = record.filter(|record| record.is_map_of(vertices.len())) else {
+                    return Ok((false, None));
+                };
+                let is_of_model = self.cohort.subjects[subject].role == Role::Model;
+                let is_observed = is_of_model && record.facts.reliable != Some(false);
+                let is_open = is_ambiguous(&record.facts);
+                let fitted =
+                    is_open.then(|| fit_onto(vertices, &points(&record.points), &weights, false).ok()).flatten();
+                let matrix = |of: &[[f64; 3]; 3]| Matrix3::from_fn(|r, c| of[r][c]);
+                let ambiguous = fitted.map(|fitted| Ambiguous {
+                    subject,
+                    own: fitted.rotation,
+                    rivals: record.facts.rivals.iter().take(MOST).map(matrix).collect(),
+                });
+                Ok((is_observed, ambiguous))
             })
             .collect::<Result<_, StudyError>>()?;
-        let reliable: BTreeSet<&String> = found
-            .iter()
-            .zip(keys)
-            .zip(&self.cohort.subjects)
-            .filter(|(_, subject)| subject.role == Role::Model)
-            .filter(|((facts, _), _)| facts.as_ref().is_some_and(|facts| facts.reliable != Some(false)))
-            .map(|((_, key), _)| key)
-            .collect();
+        let reliable: BTreeSet<&String> =
+            keys.iter().zip(&found).filter(|(_, (is, _))| *is).map(|(key, _)| key).collect();
         if reliable.len() < FEWEST_RELIABLE {
             return Ok(RivalsState::Ready(Vec::new()));
         }
+        let mut by_key: Vec<&Ambiguous> = found.iter().filter_map(|(_, ambiguous)| ambiguous.as_ref()).collect();
+        by_key.sort_by_key(|of| &keys[of.subject]);
+        let symmetries = symmetries(&by_key);
         let (mut tasks, mut all) = (Vec::new(), Vec::new());
-        for (subject, facts) in found.iter().enumerate() {
-            let Some(facts) = facts.as_ref().filter(|facts| is_ambiguous(facts)) else { continue };
-            let poses = facts.rivals.iter().take(MOST);
-            let of: Vec<String> = poses.map(|rotation| key_of(&keys[subject], rotation)).collect();
-            tasks.extend(of.iter().enumerate().map(|(pose, key)| Task {
+        for of in found.iter().filter_map(|(_, ambiguous)| ambiguous.as_ref()) {
+            let (subject, rotations) = (of.subject, poses(of, &symmetries));
+            let of: Vec<String> = rotations.iter().map(|rotation| key_of(&keys[subject], rotation)).collect();
+            tasks.extend(of.iter().zip(&rotations).map(|(key, &rotation)| Task {
                 key: key.clone(),
-                rival: Some(Rival { subject, pose }),
+                rival: Some(Rival { subject, rotation }),
                 ..Task::between_templates(0)
             }));
-            all.push(SubjectRivals { subject, keys: of });
+            all.push(SubjectRivals { subject, rotations, keys: of });
         }
         match Step::missing(Purpose::Rivals, template, tasks, Vec::new(), records) {
             None => Ok(RivalsState::Ready(all)),
@@ -184,6 +254,33 @@ mod tests {
         assert!(!is_ambiguous(&facts(&["ambiguous_pose"], 0)), "records of earlier builds name none");
         assert!(!is_ambiguous(&facts(&["ambiguous_pose", "unlike_shape"], 1)));
         assert!(!is_ambiguous(&facts(&[], 1)));
+    }
+
+    #[test]
+    fn symmetries_that_others_show_complete_the_poses() {
+        let half = |axis: nalgebra::Unit<nalgebra::Vector3<f64>>| {
+            *nalgebra::Rotation3::from_axis_angle(&axis, std::f64::consts::PI).matrix()
+        };
+        use nalgebra::Vector3;
+        let (x, y, z) = (half(Vector3::x_axis()), half(Vector3::y_axis()), half(Vector3::z_axis()));
+        let turned = |k: f64| *nalgebra::Rotation3::from_euler_angles(0.3 * k, 0.9 * k, -0.4 * k).matrix();
+        let ambiguous = |k: f64, rivals: &[Matrix3<f64>]| Ambiguous {
+            subject: 0,
+            own: turned(k),
+            rivals: rivals.iter().map(|of| turned(k) * of).collect(),
+        };
+        let near = *nalgebra::Rotation3::from_euler_angles(0.1, 0.05, -0.1).matrix();
+        let all = [ambiguous(1.0, &[x]), ambiguous(2.0, &[y * near]), ambiguous(3.0, &[x * near])];
+        let found = symmetries(&all.iter().collect::<Vec<_>>());
+        assert!(found.len() == 3 && are_same(&found[0], &x) && are_same(&found[1], &y) && are_same(&found[2], &z));
+        for of in &all {
+            let poses: Vec<Matrix3<f64>> =
+                poses(of, &found).iter().map(|pose| Matrix3::from_fn(|r, c| pose[r][c])).collect();
+            let has = |symmetry: &Matrix3<f64>| poses.iter().any(|pose| are_same(pose, &(of.own * symmetry)));
+            assert!(poses.len() == 3 && has(&x) && has(&y) && has(&z));
+            assert_eq!(poses[0], of.rivals[0], "first that of the match, as it is");
+        }
+        assert!(symmetries(&[]).is_empty());
     }
 
     #[test]

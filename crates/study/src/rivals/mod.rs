@@ -5,18 +5,18 @@
 //! subjects, so that shapes differ by what differs between subjects; with a wrong pose they also differ by the asymmetry.
 //!
 //! 1. Every subject whose only doubt is its pose is a variable. Its labels are the map of its match and the maps in the rival
-//!    poses of its record, each a match of its own ([`crate::plan`]). Reliable subjects are observed.
+//!    poses that its record and those of other ambiguous subjects show, each a match of its own ([`crate::plan`]). Reliable subjects are observed.
 //! 2. *Model.* The shapes of all subjects are draws from one Gaussian distribution around an unknown mean. With a flat prior of
 //!    the mean, the negative logarithm of their likelihood is `Σ_i<j D²_ij / (2 n v)`: `D_ij` is the distance of two shapes
-//!    ([`shapes`]), that is how far the map from one subject to the template and on to the other is from a rigid motion and a
-//!    change of size; `n` the number of subjects, and `v` the variance in each independent direction. The sum over all pairs,
+//!    along their normals ([`shapes`]), that is how far the map from one subject to the template and on to the other displaces
+//!    the surface, after a rigid motion and a change of size; `n` the number of subjects, and `v` the variance in each independent direction. The sum over all pairs,
 //!    divided by `n`, is the sum over subjects of the squared distance from their mean. So all pairs are used, and each subject
 //!    counts once, whatever their number. For one variable it is the predictive distribution from the others.
 //! 3. *Scale.* `v` comes from the reliable subjects ([`scale`]): their variance, divided by the effective number of directions in
 //!    which they vary. Vertices of a surface do not vary by themselves. This number is below that of the reliable subjects, so a
 //!    small group is never sure.
-//! 4. *Unary potentials* are 0: the matcher has tested the difference of the poses patch by patch and found it within chance,
-//!    and a difference within chance is no evidence.
+//! 4. *Unary potentials* of the pair are 0: the matcher has tested the difference of the poses patch by patch and found it within
+//!    chance, or has not followed a pose, and neither is evidence.
 //! 5. Sum-product belief propagation gives the marginal of each candidate ([`marginals`]).
 //!
 //! A subject takes its candidate of largest marginal if this is at least [`GroupSettings::level`]. Marginals compare candidates:
@@ -46,13 +46,14 @@ use crate::error::StudyError;
 use crate::folder::{Decision, Folder, Verdict};
 use crate::plan::{Matched, Records, Study, SubjectRivals};
 use crate::record::{Record, hash_of_texts};
+use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
 use marginals::GroupEnergy;
 use rayon::prelude::*;
 use scale::Scale;
 use serde::Serialize;
 use settings::GroupSettings;
-use shapes::{Patches, Shape};
+use shapes::{Frame, Shape};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Subfolder of the records of decided subjects among those of matches.
@@ -86,6 +87,7 @@ struct Variable<'a> {
 /// The observed subjects: their shapes, the scale of their differences, and the range of the mean squared distance of one of
 /// them from the others.
 struct Observed {
+    frame: Frame,
     shapes: Vec<Shape>,
     scale: Scale,
     nearest: f64,
@@ -115,11 +117,10 @@ pub(crate) fn decide(
         return Ok(found);
     }
     let reader = Reader { study, matched, folder, decisions, observer, settings: &settings };
-    let patches = Patches::new(&matched.making.template.mesh, settings.patches);
     let (mut keys, mut decided) = (Vec::new(), Vec::new());
-    if let Some(observed) = reader.observed(&patches)? {
+    if let Some(observed) = reader.observed()? {
         let (of_model, of_score): (Vec<_>, Vec<_>) =
-            reader.variables(&patches)?.into_iter().partition(|variable| reader.is_of_model(variable));
+            reader.variables(&observed.frame)?.into_iter().partition(|variable| reader.is_of_model(variable));
         for together in of_model.chunks(settings.together).chain(of_score.chunks(1)) {
             checkpoint(observer)?;
             for (variable, decision) in together.iter().zip(decisions_of(together, &observed, &settings, observer)?) {
@@ -196,8 +197,10 @@ fn energy(
 }
 
 impl Observed {
-    /// From the shapes of reliable subjects; `None` if these are too few, or do not differ.
-    fn new(shapes: Vec<Shape>) -> Option<Self> {
+    /// From the maps of reliable subjects; `None` if these are too few, or do not differ.
+    fn new(template: &SurfaceMesh, maps: &[Vec<[f32; 3]>], settings: &GroupSettings) -> Option<Self> {
+        let frame = Frame::new(template, maps, settings.patches)?;
+        let shapes: Vec<Shape> = maps.par_iter().filter_map(|map| frame.shape(map)).collect();
         if shapes.len() < FEWEST_RELIABLE {
             return None;
         }
@@ -209,7 +212,7 @@ impl Observed {
         let own: Vec<f64> = (0..shapes.len()).into_par_iter().map(mean).collect();
         let nearest = own.iter().copied().fold(f64::INFINITY, f64::min);
         let farthest = own.iter().copied().fold(0.0, f64::max);
-        Some(Observed { shapes, scale, nearest, farthest })
+        Some(Observed { frame, shapes, scale, nearest, farthest })
     }
 }
 
@@ -233,17 +236,17 @@ impl<'a> Reader<'a> {
         variable.rows.iter().any(|&row| self.study.cohort.subjects[row].role == Role::Model)
     }
 
-    /// The shape of a record that is a reliable map, or is `kept` by a person.
-    fn shape(&self, key: &str, kept: bool, patches: &Patches) -> Result<Option<Shape>, StudyError> {
+    /// The points of a record that is a reliable map, or is `kept` by a person.
+    fn map(&self, key: &str, kept: bool) -> Result<Option<Vec<[f32; 3]>>, StudyError> {
         checkpoint(self.observer)?;
         let n_vertices = self.matched.making.template.mesh.n_vertices();
         let record = self.folder.get(key)?.filter(|record| record.is_map_of(n_vertices));
         let record = record.filter(|record| kept || record.facts.reliable != Some(false));
-        Ok(record.and_then(|record| patches.shape(&record.points)))
+        Ok(record.map(|record| record.points))
     }
 
     /// The observed subjects: one row of each person, spread over all if there are many.
-    fn observed(&self, patches: &Patches) -> Result<Option<Observed>, StudyError> {
+    fn observed(&self) -> Result<Option<Observed>, StudyError> {
         let mut rows: Vec<(&String, bool, &String)> = Vec::new();
         for (row, subject) in self.study.cohort.subjects.iter().enumerate() {
             let verdict = self.verdict(row);
@@ -251,30 +254,28 @@ impl<'a> Reader<'a> {
                 rows.push((&self.matched.keys[row], verdict == Some(Verdict::Kept), &subject.subject));
             }
         }
+        // Keys are hashes: the first of them are a random choice.
         rows.sort_unstable();
-        let found: Vec<Option<Shape>> =
-            rows.par_iter().map(|(key, kept, _)| self.shape(key, *kept, patches)).collect::<Result<_, _>>()?;
         let (mut persons, mut keys) = (BTreeSet::new(), BTreeSet::new());
-        let mut shapes: Vec<Shape> = Vec::new();
-        for ((key, _, person), shape) in rows.iter().zip(found) {
-            if let Some(shape) = shape
-                && !persons.contains(person)
-                && keys.insert(key)
-            {
+        let mut maps = Vec::new();
+        for (key, kept, person) in rows {
+            if maps.len() == self.settings.most_observed {
+                break;
+            }
+            if persons.contains(person) || keys.contains(key) {
+                continue;
+            }
+            if let Some(map) = self.map(key, kept)? {
+                maps.push(map);
                 persons.insert(person);
-                shapes.push(shape);
+                keys.insert(key);
             }
         }
-        let most = self.settings.most_observed;
-        if shapes.len() > most {
-            // Keys are hashes: the first of them are a random choice.
-            shapes.truncate(most);
-        }
-        Ok(Observed::new(shapes))
+        Ok(Observed::new(&self.matched.making.template.mesh, &maps, self.settings))
     }
 
     /// The variables, by the key of their match.
-    fn variables(&self, patches: &Patches) -> Result<Vec<Variable<'a>>, StudyError> {
+    fn variables(&self, frame: &Frame) -> Result<Vec<Variable<'a>>, StudyError> {
         let mut of_match: BTreeMap<&String, (Vec<usize>, &'a SubjectRivals)> = BTreeMap::new();
         for rivals in &self.matched.rivals {
             if self.verdict(rivals.subject).is_none() {
@@ -286,10 +287,12 @@ impl<'a> Reader<'a> {
         let found: Vec<Option<Variable<'a>>> = of_match
             .into_par_iter()
             .map(|(key, (rows, rivals))| {
-                let own = self.shape(key, true, patches)?;
+                let shape =
+                    |key: &str, kept: bool| Ok::<_, StudyError>(self.map(key, kept)?.and_then(|map| frame.shape(&map)));
+                let own = shape(key, true)?;
                 let mut candidates: Vec<(usize, Shape)> = own.into_iter().map(|own| (0, own)).collect();
                 for (place, key) in (1..).zip(&rivals.keys) {
-                    candidates.extend(self.shape(key, false, patches)?.map(|shape| (place, shape)));
+                    candidates.extend(shape(key, false)?.map(|shape| (place, shape)));
                 }
                 let is_open = candidates.len() > 1 && candidates.first().is_some_and(|(place, _)| *place == 0);
                 Ok(is_open.then_some(Variable { rows, rivals, candidates }))
@@ -311,7 +314,7 @@ impl<'a> Reader<'a> {
             let record = match rival {
                 None => own.clone(),
                 Some((place, chosen)) => {
-                    let rotation = own.facts.rivals.get(place).ok_or_else(gone)?;
+                    let rotation = variable.rivals.rotations.get(place).ok_or_else(gone)?;
                     let Record { facts, points } = self.folder.get(chosen)?.ok_or_else(gone)?;
                     Record { facts, points: surfaces::turned(&points, rotation) }
                 }

@@ -11,13 +11,13 @@
 use super::shapes::Shape;
 use rayon::prelude::*;
 
-/// Variance below which shapes are copies of each other: 32-bit positions are exact to about 1e-7 of their size.
-const ROUNDING: f64 = 1e-12;
+/// Variance, mm², below which shapes are copies of each other: positions in 32 bits are exact to about 1e-5 mm.
+const ROUNDING: f64 = 1e-9;
 
 /// The scale of differences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scale {
-    /// Variance of all directions together, without a unit.
+    /// Variance of all directions together, mm².
     pub(super) variance: f64,
     /// Effective number of independent directions.
     pub(super) directions: f64,
@@ -35,7 +35,6 @@ impl Scale {
         let trace: f64 = (0..n).map(|k| product(k * n + k)).sum();
         let of_squares: f64 = (0..n * n).map(|k| product(k).powi(2)).sum();
         let variance = trace / (n as f64 - 1.0);
-        // Distances of three shapes and more are not exactly those of a flat space, so the products may have a negative part.
         (variance > ROUNDING).then(|| Scale { variance, directions: (trace * trace / of_squares).max(1.0) })
     }
 

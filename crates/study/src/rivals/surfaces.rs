@@ -2,7 +2,7 @@
 
 use crate::error::StudyError;
 use crate::folder::Folder;
-use crate::plan::{Records, Rival, Study, Task, Template, hash};
+use crate::plan::{Rival, Study, Task, Template, hash};
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
 use nalgebra::{Matrix3, Point3};
@@ -28,13 +28,12 @@ pub(super) fn turned(points: &[[f32; 3]], rotation: &[[f64; 3]; 3]) -> Vec<[f32;
     points.iter().map(turn).collect()
 }
 
-/// The surfaces of matches in rival poses, in their order. `keys`: of the matches of all subjects.
+/// The surfaces of matches in rival poses, in their order.
 ///
 /// # Errors
 /// [`StudyError::Changed`] if a file is not the one that was matched; [`StudyError::File`]; [`StudyError::Interrupted`].
 pub(crate) fn rival_surfaces(
     study: &Study,
-    template: &Template,
     tasks: &[Task],
     folder: &Folder,
     observer: &dyn Observer,
@@ -44,16 +43,13 @@ pub(crate) fn rival_surfaces(
         .par_iter()
         .map(|task| {
             checkpoint(observer)?;
-            let Rival { subject, pose } = task.rival.ok_or_else(gone)?;
+            let Rival { subject, rotation } = task.rival.ok_or_else(gone)?;
             let path = &study.cohort.subjects[subject].file;
             if hash(&folder.input(path)?) != study.hashes[subject] {
                 return Err(StudyError::Changed { path: path.clone() });
             }
-            let key = study.task(&template.hash, None, Some(subject)).key;
-            let record = folder.get(&key)?.ok_or_else(gone)?;
-            let rotation = record.facts.rivals.get(pose).ok_or_else(gone)?;
             let surface = study.surface_of(subject, folder)?.ok_or_else(gone)?;
-            Ok(Template::new(&turned_back(&surface, rotation)?))
+            Ok(Template::new(&turned_back(&surface, &rotation)?))
         })
         .collect()
 }

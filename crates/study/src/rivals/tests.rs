@@ -61,11 +61,11 @@ impl Random {
     }
 }
 
-/// A group: shapes of reliable subjects, and those of the candidates of ambiguous ones, with the place of the right one.
+/// A group: maps of reliable subjects, and those of the candidates of ambiguous ones, with the place of the right one.
 #[derive(Clone)]
 struct Group {
-    reliable: Vec<Shape>,
-    ambiguous: Vec<(Vec<Shape>, Option<usize>)>,
+    reliable: Vec<Vec<[f32; 3]>>,
+    ambiguous: Vec<(Vec<Vec<[f32; 3]>>, Option<usize>)>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -107,7 +107,6 @@ fn symmetrized(field: &[f64]) -> Vec<f64> {
 impl Made {
     fn group(&self) -> Group {
         let mut random = Random(Xoshiro256PlusPlus::seed_from_u64(self.seed));
-        let patches = Patches::new(&TEMPLATE, 256);
         let normals = TEMPLATE.vertex_normals();
         let bump = heights(&Point3::new(7.0, 4.0, 3.0));
         let anatomy = |random: &mut Random| {
@@ -124,7 +123,7 @@ impl Made {
                 let p = TEMPLATE.vertices()[to] + (self.bump_mm * bump[to] + anatomy[to] + errors[v]) * normals[to];
                 <[f64; 3]>::from((turn * p + shift).coords).map(|x| x as f32)
             };
-            patches.shape(&(0..TEMPLATE.n_vertices()).map(at).collect::<Vec<_>>()).unwrap()
+            (0..TEMPLATE.n_vertices()).map(at).collect::<Vec<_>>()
         };
         let reliable = (0..self.reliable)
             .map(|_| {
@@ -148,26 +147,36 @@ impl Made {
     }
 }
 
-static NO_RIVALS: SubjectRivals = SubjectRivals { subject: 0, keys: Vec::new() };
+static NO_RIVALS: SubjectRivals = SubjectRivals { subject: 0, rotations: Vec::new(), keys: Vec::new() };
 
 impl Group {
-    fn decisions(self) -> Vec<(GroupDecision, Option<usize>)> {
-        let right: Vec<Option<usize>> = self.ambiguous.iter().map(|(_, right)| *right).collect();
-        let variable = |(shapes, _): (Vec<Shape>, Option<usize>)| Variable {
+    fn observed(&self) -> Option<Observed> {
+        Observed::new(&TEMPLATE, &self.reliable, &GroupSettings::default())
+    }
+
+    fn shapes(&self, observed: &Observed) -> Vec<Vec<Shape>> {
+        let shapes =
+            |(maps, _): &(Vec<Vec<[f32; 3]>>, _)| maps.iter().map(|map| observed.frame.shape(map).unwrap()).collect();
+        self.ambiguous.iter().map(shapes).collect()
+    }
+
+    fn decisions(&self) -> Vec<(GroupDecision, Option<usize>)> {
+        let Some(observed) = self.observed() else { return Vec::new() };
+        let variable = |shapes: Vec<Shape>| Variable {
             rows: Vec::new(),
             rivals: &NO_RIVALS,
             candidates: shapes.into_iter().enumerate().collect(),
         };
-        let variables: Vec<Variable<'_>> = self.ambiguous.into_iter().map(variable).collect();
-        let Some(observed) = Observed::new(self.reliable) else { return Vec::new() };
+        let variables: Vec<Variable<'_>> = self.shapes(&observed).into_iter().map(variable).collect();
         let silent = &homolog_primitives::observe::Silent;
         let found = decisions_of(&variables, &observed, &GroupSettings::default(), silent).unwrap();
-        found.into_iter().zip(right).collect()
+        found.into_iter().zip(self.ambiguous.iter().map(|(_, right)| *right)).collect()
     }
 
     fn energy(&self) -> GroupEnergy {
-        let shapes: Vec<Vec<&Shape>> = self.ambiguous.iter().map(|(shapes, _)| shapes.iter().collect()).collect();
-        let observed = Observed::new(self.reliable.clone()).unwrap();
+        let observed = self.observed().unwrap();
+        let shapes = self.shapes(&observed);
+        let shapes: Vec<Vec<&Shape>> = shapes.iter().map(|of| of.iter().collect()).collect();
         energy(&shapes, &observed, &homolog_primitives::observe::Silent).unwrap().0
     }
 }

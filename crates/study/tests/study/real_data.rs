@@ -13,7 +13,7 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver;
 use homolog_study::measures::measured;
 use homolog_study::plan::{Records, Study, surface};
-use homolog_study::settings::{Analysis, Correspondence, Measure, Settings, Size, TemplateChoice, Visits};
+use homolog_study::settings::{Analysis, Correspondence, Measure, Rivals, Settings, Size, TemplateChoice, Visits};
 use nalgebra::{Point3, Rotation3, Vector3};
 
 /// Thinning from each visit to the next in the middle of the patch, and width of the patch, mm.
@@ -71,6 +71,7 @@ fn changes_of_a_hippocampus_have_less_noise_through_its_own_template() {
             size: Size::Kept,
             correspondence: Correspondence::Pairs,
             visits,
+            rivals: Rivals::default(),
             analysis: Analysis::default(),
             cycle_subjects: 0,
             cycle_ring: Vec::new(),

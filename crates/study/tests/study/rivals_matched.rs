@@ -1,0 +1,174 @@
+//! A group of solids with the symmetries of an ellipsoid but for faint bumps: some matches are sure of their pose, others leave it
+//! open, and the group decides these. Matched, not made up.
+
+use homolog_contract::parameters::{Method, preset};
+use homolog_formats::ply::write_ply;
+use homolog_mesh::SurfaceMesh;
+use homolog_mesh::shapes::ellipsoid;
+use homolog_study::cohort::Cohort;
+use homolog_study::findings::find;
+use homolog_study::folder::Folder;
+use homolog_study::matching::StudyObserver;
+use homolog_study::plan::{Records, Study};
+use homolog_study::settings::{Analysis, Correspondence, Rivals, Settings, Size, TemplateChoice, Visits};
+use homolog_study::storage::Inputs;
+use homolog_study::subjects::SubjectOutcome;
+use nalgebra::{Isometry3, Point3, Rotation3, Vector3};
+use std::collections::BTreeMap;
+use std::io;
+use std::path::Path;
+
+const SUBJECTS: usize = 24;
+
+struct Quiet;
+impl StudyObserver for Quiet {}
+
+/// Repeatable numbers between -1 and 1.
+fn number(of: u64, which: u64) -> f64 {
+    let bytes = *blake3::hash(format!("solid {of} {which}").as_bytes()).as_bytes();
+    let [a, b, c, d, ..] = bytes;
+    2.0 * f64::from(u32::from_le_bytes([a, b, c, d])) / f64::from(u32::MAX) - 1.0
+}
+
+/// Where the direction `n` meets the surface of subject `k`; of the template, 0, without variation.
+fn solid(k: u64, n: &Vector3<f64>) -> Point3<f64> {
+    let base = ((n.x / 22.0).powi(2) + (n.y / 13.0).powi(2) + (n.z / 9.0).powi(2)).powf(-0.5);
+    let bump =
+        |at: Vector3<f64>, height: f64, width: f64| height * (-(n - at.normalize()).norm_squared() / width).exp();
+    let faint: f64 = std::env::var("BUMP").map_or(0.08, |text| text.parse().unwrap());
+    let varied: f64 = std::env::var("VARIED").map_or(0.03, |text| text.parse().unwrap());
+    let mut height = bump(Vector3::new(0.8, 0.5, 0.3), faint, 0.15);
+    if k > 0 {
+        for part in 0..12u64 {
+            let at = Vector3::from([0, 1, 2].map(|axis| number(999, 3 * part + axis)));
+            height += bump(at, varied * number(k, part), 0.3);
+        }
+    }
+    Point3::from(n * base * (1.0 + height))
+}
+
+fn motion(k: u64) -> Isometry3<f64> {
+    if k == 0 {
+        return Isometry3::identity();
+    }
+    let of = |which: u64| number(k, 100 + which);
+    Isometry3::new(20.0 * Vector3::new(of(0), of(1), of(2)), 2.0 * Vector3::new(of(3), of(4), of(5)))
+}
+
+fn directions(k: u64) -> Vec<Vector3<f64>> {
+    let turn = Rotation3::from_euler_angles(number(k, 200), number(k, 201), number(k, 202));
+    let sphere = ellipsoid(Vector3::new(1.0, 1.0, 1.0), 3);
+    sphere.vertices().iter().map(|p| turn * p.coords.normalize()).collect()
+}
+
+fn surface(k: u64) -> SurfaceMesh {
+    let sphere = ellipsoid(Vector3::new(1.0, 1.0, 1.0), 3);
+    sphere.with_vertices(directions(k).iter().map(|n| motion(k) * solid(k, n)).collect()).unwrap()
+}
+
+#[derive(Debug)]
+struct Files;
+
+impl Inputs for Files {
+    fn read(&self, file: &Path) -> io::Result<Vec<u8>> {
+        let name = file.file_stem().and_then(|name| name.to_str()).unwrap();
+        Ok(write_ply(&surface(name.trim_start_matches('s').parse().unwrap())))
+    }
+    fn hash(&self, file: &Path) -> io::Result<String> {
+        Ok(blake3::hash(&self.read(file)?).to_hex().to_string())
+    }
+}
+
+/// Mean distance of a map of the template from the true one of subject `k` after a half turn of the template.
+fn error(k: u64, map: &[[f32; 3]], signs: [f64; 3]) -> f64 {
+    let at = |n: &Vector3<f64>| motion(k) * solid(k, &Vector3::new(signs[0] * n.x, signs[1] * n.y, signs[2] * n.z));
+    let apart =
+        directions(0).iter().zip(map).map(|(n, p)| (at(n) - Point3::from(p.map(f64::from))).norm()).sum::<f64>();
+    apart / map.len() as f64
+}
+
+/// The half turn whose map is nearest; 0 for the right pose.
+fn pose(k: u64, map: &[[f32; 3]]) -> usize {
+    let turns = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+    let errors = turns.map(|signs| error(k, map, signs));
+    (0..4).fold(0, |best, of| if errors[of] < errors[best] { of } else { best })
+}
+
+#[test]
+fn the_group_decides_between_poses() {
+    let text: String = (1..=SUBJECTS).map(|k| format!("s{k},s{k}.ply\n")).collect();
+    let settings = Settings {
+        template: TemplateChoice::Given { file: "s0.ply".into() },
+        template_side: None,
+        size: Size::Kept,
+        correspondence: Correspondence::Pairs,
+        visits: Visits::default(),
+        rivals: Rivals::Decide,
+        analysis: Analysis::default(),
+        cycle_subjects: 0,
+        cycle_ring: Vec::new(),
+        parameters: preset(Method::Balanced),
+    };
+    let folder = Folder::in_memory(BTreeMap::new(), Box::new(Files));
+    let cohort = Cohort::from_csv(format!("id,file\n{text}").as_bytes(), Path::new("")).unwrap();
+    let mut study = Study::open(cohort, settings, &[], &folder, &Quiet).unwrap();
+    let begin = std::time::Instant::now();
+    let matched = study.match_all(&folder, 2, &Quiet).unwrap();
+    println!("matched in {:?}", begin.elapsed());
+    let found = find(&study, &matched, &folder, &[], &Quiet);
+    let show = |k: usize| {
+        let own = folder.get(&matched.keys[k]).unwrap().unwrap();
+        let rivals = matched.rivals.iter().find(|of| of.subject == k);
+        let of_rivals: Vec<_> = rivals
+            .iter()
+            .flat_map(|of| of.keys.iter().zip(&of.rotations))
+            .map(|(key, r)| {
+                let record = folder.get(key).unwrap().unwrap();
+                let points: Vec<[f32; 3]> = record
+                    .points
+                    .iter()
+                    .map(|p| std::array::from_fn(|i| (0..3).map(|j| r[i][j] as f32 * p[j]).sum()))
+                    .collect();
+                (
+                    record.facts.reliable,
+                    record.facts.reasons.clone(),
+                    record.facts.residual_mm,
+                    pose(k as u64 + 1, &points),
+                )
+            })
+            .collect();
+        println!(
+            "s{}: own pose {} reliable {:?} {:?} residual {:.3}; rivals {of_rivals:?}",
+            k + 1,
+            pose(k as u64 + 1, &own.points),
+            own.facts.reliable,
+            own.facts.reasons,
+            own.facts.residual_mm
+        );
+    };
+    (0..SUBJECTS)
+        .filter(|k| folder.get(&matched.keys[*k]).unwrap().unwrap().facts.reliable != Some(true))
+        .for_each(show);
+    println!(
+        "wrong but sure: {:?}",
+        (0..SUBJECTS)
+            .filter(|k| {
+                let r = folder.get(&matched.keys[*k]).unwrap().unwrap();
+                r.facts.reliable == Some(true) && pose(*k as u64 + 1, &r.points) != 0
+            })
+            .collect::<Vec<_>>()
+    );
+    let found = found.unwrap();
+    for k in 0..SUBJECTS {
+        if let Some(decision) = found.subjects[k].group {
+            let map = folder.get(&found.matched.keys[k]).unwrap().unwrap();
+            println!(
+                "s{}: {decision:?} {:?}: pose {}",
+                k + 1,
+                found.subjects[k].place,
+                pose(k as u64 + 1, &map.points)
+            );
+        }
+    }
+    let _ = SubjectOutcome::Model;
+}

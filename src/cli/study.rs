@@ -16,7 +16,7 @@ use homolog_study::findings::Findings;
 use homolog_study::folder::{Decision, Folder, read_decisions};
 use homolog_study::output::write;
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use homolog_study::sides::template_side;
 use homolog_study::structures::GroupStudy;
@@ -91,6 +91,10 @@ pub(super) struct StudyArgs {
     /// the person that is made from its visits, which takes out of its changes the error of matching two persons (own-template)
     #[arg(long, value_name = "group-template|own-template", default_value = Visits::ALL[0].option(), value_parser = PossibleValuesParser::new(Visits::ALL.map(Visits::option)))]
     visits: String,
+    /// What becomes of subjects whose only doubt is their pose (ambiguous_pose): each is also matched in its other poses, and the
+    /// group decides between them where it can (decide), or they are left out (leave-out)
+    #[arg(long, value_name = "decide|leave-out", default_value = Rivals::ALL[0].option(), value_parser = PossibleValuesParser::new(Rivals::ALL.map(Rivals::option)))]
+    rivals: String,
     /// Number of subjects among which the consistency of maps is measured, at three matches each; 0: not measured
     #[arg(long, value_name = "N", default_value_t = 0)]
     cycles: usize,
@@ -202,6 +206,7 @@ fn asked(args: &StudyArgs, given: &Path) -> Result<Asked, CliError> {
         size: if args.without_size { Size::Removed } else { Size::Kept },
         correspondence: Correspondence::of_name(&args.correspondence).unwrap_or_default(),
         visits: Visits::of_name(&args.visits).unwrap_or_default(),
+        rivals: Rivals::of_name(&args.rivals).unwrap_or_default(),
         analysis,
         cycle_subjects: args.cycles,
         cycle_ring: Vec::new(),

@@ -59,6 +59,10 @@ submission_document! {
         /// `own_template`, a template of the person that is made from its visits; `group_template` if absent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         pub(crate) visits: Option<String>,
+        /// What becomes of subjects whose only doubt is `ambiguous_pose`: `decide`, each is also matched in its other poses, and the group
+        /// decides between them where it can, or `leave_out`; `decide` if absent.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        pub(crate) rivals: Option<String>,
         /// Subjects among which the consistency of maps is measured, at three matches each; not measured if absent.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[schema(maximum = 1000)]
@@ -102,6 +106,7 @@ impl StudySubmissionDocument {
             without_size: self.without_size,
             correspondence: self.correspondence.clone(),
             visits: self.visits.clone(),
+            rivals: self.rivals.clone(),
             cycles: self.cycles.unwrap_or(0),
             effect: self.effect.clone(),
             adjust: self.adjust.clone(),

@@ -147,6 +147,9 @@ pub struct StudyQuestions {
     /// What visits of one person are matched with, by name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub visits: Option<String>,
+    /// What becomes of subjects whose pose is ambiguous, by name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rivals: Option<String>,
     /// Subjects among which the consistency of maps is measured.
     pub cycles: u32,
     /// The covariate of interest.
@@ -310,9 +313,16 @@ pub struct PlannedMatch {
     pub source: Option<usize>,
     /// The subject that stays; `None`: the template.
     pub target: Option<usize>,
-    /// The template of a person that takes part, by its place: it moves onto the subject, or the template onto it.
+    /// The template of a person that takes part, by its place: it moves onto the subject, or the template onto it. Or the surface
+    /// of a subject in a rival pose, onto which the template moves.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub own: Option<usize>,
+    /// The subject whose surface that is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rival_of: Option<usize>,
+    /// Parameters in which the match differs from those of the study, by JSON pointer.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub parameters: BTreeMap<String, String>,
     /// Whether source and target are mirrored.
     #[serde(default)]
     pub mirrored: [bool; 2],

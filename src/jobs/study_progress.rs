@@ -321,7 +321,12 @@ impl StudyProgression {
                 None => Err(JobError::Corrupt { what: "a study's plan", source: None }),
             },
         };
-        let id = task.target.or(task.source).and_then(|k| definition.subjects.get(k)).map(|subject| subject.id.clone());
+        let id = task
+            .target
+            .or(task.source)
+            .or(task.rival_of)
+            .and_then(|k| definition.subjects.get(k))
+            .map(|subject| subject.id.clone());
         let mut parameters = definition.parameters.clone();
         for (side, is_mirrored) in ["source", "target"].into_iter().zip(task.mirrored) {
             if is_mirrored {
@@ -332,6 +337,11 @@ impl StudyProgression {
             if let Some(labels) = subject.and_then(|k| definition.subjects.get(k)?.labels.as_ref()) {
                 parameters["input"][side]["labels"] = json!(labels);
             }
+        }
+        for (pointer, value) in &task.parameters {
+            let place =
+                parameters.pointer_mut(pointer).ok_or(JobError::Corrupt { what: "a study's plan", source: None })?;
+            *place = json!(value);
         }
         Ok(NewJob {
             parameters,

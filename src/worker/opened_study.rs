@@ -13,7 +13,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::plan::Study;
 use homolog_study::record::Record;
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use homolog_study::sides::template_side;
 use homolog_study::storage::Inputs;
@@ -184,6 +184,7 @@ pub(super) fn settings(definition: &StudyDefinition) -> Result<Settings, StudyEr
         size: if asked.without_size { Size::Removed } else { Size::Kept },
         correspondence: asked.correspondence.as_deref().and_then(Correspondence::of_name).unwrap_or_default(),
         visits: asked.visits.as_deref().and_then(Visits::of_name).unwrap_or_default(),
+        rivals: asked.rivals.as_deref().and_then(Rivals::of_name).unwrap_or_default(),
         analysis,
         cycle_subjects: asked.cycles as usize,
         cycle_ring: Vec::new(),

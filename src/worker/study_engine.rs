@@ -27,15 +27,15 @@ use homolog_study::folder::Folder;
 use homolog_study::matching::StudyObserver as _;
 use homolog_study::memory::{measures, permutations, step_bytes};
 use homolog_study::output::write;
-use homolog_study::plan::{Purpose as Matching, Task, Template};
+use homolog_study::plan::{Purpose as Matching, RIVAL_PARAMETERS, Task, Template};
 use homolog_study::price::step_price;
-use homolog_study::settings::{Correspondence, Measure, Settings, Visits};
+use homolog_study::settings::{Correspondence, Measure, Rivals, Settings, Visits};
 use homolog_study::sides::{is_mirrored, template_side};
 use homolog_study::statistics::design::Design;
 use homolog_study::structures::{GroupStep, GroupStudy};
 use serde::{Deserialize as _, Serialize};
 use serde_json::Value;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -182,6 +182,12 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
         let known = Visits::ALL.map(Visits::name).join(", ");
         faults.push(fault("/visits".to_owned(), format!("{shown} is none of {known}")));
     }
+    let rivals = definition.questions.rivals.as_deref();
+    if let Some(unknown) = rivals.filter(|name| Rivals::ALL.iter().all(|of| of.name() != *name)) {
+        let shown: String = unknown.chars().take(64).collect();
+        let known = Rivals::ALL.map(Rivals::name).join(", ");
+        faults.push(fault("/rivals".to_owned(), format!("{shown} is none of {known}")));
+    }
     let unknown_start = |ids: BTreeSet<&String>| {
         let start = definition.questions.start.as_ref().filter(|start| !ids.contains(start))?;
         let shown: String = start.chars().take(64).collect();
@@ -286,7 +292,7 @@ fn planned(
     let plan = StudyPlan {
         round: match purpose {
             Matching::Template(round) => number(round),
-            Matching::Visits(_) | Matching::Subjects => 0,
+            Matching::Visits(_) | Matching::Subjects | Matching::Rivals => 0,
         },
         finished: number(finished),
         tasks: tasks
@@ -297,6 +303,11 @@ fn planned(
                 target: task.target,
                 own: task.own,
                 mirrored: [task.source, task.target].map(mirrored),
+                rival_of: task.rival.map(|rival| rival.subject),
+                parameters: match task.rival {
+                    Some(_) => RIVAL_PARAMETERS.map(|(at, value)| (at.to_owned(), value.to_owned())).into(),
+                    None => BTreeMap::new(),
+                },
             })
             .collect(),
         template: summary(settings, template)?,

@@ -147,9 +147,13 @@ fn scored(
     let k = study.cohort.subjects.len() - 1;
     let surfaces = SurfaceCache::new(0);
     let mut step = study.advance(&folder, &watcher)?;
-    while let Step::Match { purpose: Matching::Visits(_) | Matching::Subjects, template, tasks, own, .. } = &step {
+    while let Step::Match { purpose, template, tasks, own, .. } = &step
+        && !matches!(purpose, Matching::Template(_))
+    {
         // Whatever else is missing was removed since: its subject has no match, as in a study without it.
-        let is_own = |task: &Task| task.target == Some(k) && task.source.is_none();
+        let is_own = |task: &Task| {
+            task.target == Some(k) && task.source.is_none() || task.rival.is_some_and(|rival| rival.subject == k)
+        };
         for task in tasks {
             let record = match is_own(task) {
                 true => study.compute(task, (template, own), &surfaces, &folder, &watcher)?,

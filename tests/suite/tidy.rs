@@ -21,7 +21,7 @@ const MEMBERS: &[(&str, &[&str])] = &[
     ("matching", &["primitives", "mesh", "geometry", "mrf", "registration", "methods", "contract"]),
     ("formats", &["mesh", "contract"]),
     ("run", &["primitives", "mesh", "registration", "contract", "formats", "matching"]),
-    ("study", &["primitives", "mesh", "registration", "contract", "formats", "run"]),
+    ("study", &["primitives", "mesh", "mrf", "registration", "contract", "formats", "run"]),
     (
         "laboratory",
         &["primitives", "mesh", "geometry", "mrf", "registration", "contract", "matching", "formats", "run"],

@@ -319,11 +319,11 @@ fn groups_decide_what_they_determine_and_little_else() {
         (of(5, 4.0, true), 350, 0),
         (of(10, 4.0, true), 400, 0),
         (of(20, 4.0, true), 450, 0),
-        (of(20, 2.0, true), 250, 2),
+        (of(20, 2.0, true), 100, 2),
         (Made { candidates: 4, ..of(20, 4.0, true) }, 450, 0),
         // No candidate is right.
         (of(10, 4.0, false), 0, 0),
-        (of(20, 2.0, false), 0, 10),
+        (of(20, 2.0, false), 0, 15),
         // No pose is better than another.
         (of(10, 0.0, true), 0, 5),
         (Made { match_mm: 0.2, ..of(20, 0.0, true) }, 0, 15),

@@ -15,6 +15,7 @@ mod population;
 #[cfg(target_os = "linux")]
 mod price;
 mod real_data;
+mod rivals;
 mod rivals_matched;
 mod score;
 mod sides;

@@ -6,7 +6,7 @@
 //! around an axis, which has to do with no pose; the asymmetry that tells poses apart displaces the surface along its normal.
 //!
 //! Sources: Dryden, Mardia, *Statistical Shape Analysis*, 2nd edition, 2016, chapter 7 (generalized Procrustes analysis); Chen,
-//! Medioni, *Object modelling by registration of multiple range images*, 1992 (tangent planes).
+//! Medioni, *Object modeling by registration of multiple range images*, 1992 (tangent planes).
 
 use crate::align::{area_weights, fit_onto, points};
 use homolog_mesh::SurfaceMesh;

@@ -13,12 +13,15 @@ use homolog_study::plan::{Records, Study};
 use homolog_study::settings::{Analysis, Correspondence, Rivals, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use homolog_study::subjects::SubjectOutcome;
-use nalgebra::{Isometry3, Point3, Rotation3, Vector3};
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Vector3};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
 const SUBJECTS: usize = 24;
+/// Height of the bump that all have, and largest height of those in which subjects differ, as shares of the radius.
+const BUMP: f64 = 0.04;
+const VARIES: f64 = 0.01;
 
 struct Quiet;
 impl StudyObserver for Quiet {}
@@ -35,13 +38,11 @@ fn solid(k: u64, n: &Vector3<f64>) -> Point3<f64> {
     let base = ((n.x / 22.0).powi(2) + (n.y / 13.0).powi(2) + (n.z / 9.0).powi(2)).powf(-0.5);
     let bump =
         |at: Vector3<f64>, height: f64, width: f64| height * (-(n - at.normalize()).norm_squared() / width).exp();
-    let faint: f64 = std::env::var("BUMP").map_or(0.08, |text| text.parse().unwrap());
-    let varied: f64 = std::env::var("VARIED").map_or(0.03, |text| text.parse().unwrap());
-    let mut height = bump(Vector3::new(0.8, 0.5, 0.3), faint, 0.15);
+    let mut height = bump(Vector3::new(0.8, 0.5, 0.3), BUMP, 0.15);
     if k > 0 {
         for part in 0..12u64 {
             let at = Vector3::from([0, 1, 2].map(|axis| number(999, 3 * part + axis)));
-            height += bump(at, varied * number(k, part), 0.3);
+            height += bump(at, VARIES * number(k, part), 0.3);
         }
     }
     Point3::from(n * base * (1.0 + height))
@@ -112,63 +113,38 @@ fn the_group_decides_between_poses() {
     let folder = Folder::in_memory(BTreeMap::new(), Box::new(Files));
     let cohort = Cohort::from_csv(format!("id,file\n{text}").as_bytes(), Path::new("")).unwrap();
     let mut study = Study::open(cohort, settings, &[], &folder, &Quiet).unwrap();
-    let begin = std::time::Instant::now();
     let matched = study.match_all(&folder, 2, &Quiet).unwrap();
-    println!("matched in {:?}", begin.elapsed());
-    let found = find(&study, &matched, &folder, &[], &Quiet);
-    let show = |k: usize| {
-        let own = folder.get(&matched.keys[k]).unwrap().unwrap();
-        let rivals = matched.rivals.iter().find(|of| of.subject == k);
-        let of_rivals: Vec<_> = rivals
-            .iter()
-            .flat_map(|of| of.keys.iter().zip(&of.rotations))
-            .map(|(key, r)| {
-                let record = folder.get(key).unwrap().unwrap();
-                let points: Vec<[f32; 3]> = record
-                    .points
-                    .iter()
-                    .map(|p| std::array::from_fn(|i| (0..3).map(|j| r[i][j] as f32 * p[j]).sum()))
-                    .collect();
-                (
-                    record.facts.reliable,
-                    record.facts.reasons.clone(),
-                    record.facts.residual_mm,
-                    pose(k as u64 + 1, &points),
-                )
-            })
-            .collect();
-        println!(
-            "s{}: own pose {} reliable {:?} {:?} residual {:.3}; rivals {of_rivals:?}",
-            k + 1,
-            pose(k as u64 + 1, &own.points),
-            own.facts.reliable,
-            own.facts.reasons,
-            own.facts.residual_mm
-        );
-    };
-    (0..SUBJECTS)
-        .filter(|k| folder.get(&matched.keys[*k]).unwrap().unwrap().facts.reliable != Some(true))
-        .for_each(show);
-    println!(
-        "wrong but sure: {:?}",
-        (0..SUBJECTS)
-            .filter(|k| {
-                let r = folder.get(&matched.keys[*k]).unwrap().unwrap();
-                r.facts.reliable == Some(true) && pose(*k as u64 + 1, &r.points) != 0
-            })
-            .collect::<Vec<_>>()
-    );
-    let found = found.unwrap();
-    for k in 0..SUBJECTS {
-        if let Some(decision) = found.subjects[k].group {
-            let map = folder.get(&found.matched.keys[k]).unwrap().unwrap();
-            println!(
-                "s{}: {decision:?} {:?}: pose {}",
-                k + 1,
-                found.subjects[k].place,
-                pose(k as u64 + 1, &map.points)
-            );
+    let found = find(&study, &matched, &folder, &[], &Quiet).unwrap();
+    let map = |key: &String| folder.get(key).unwrap().unwrap();
+    let [mut open, mut decided, mut changed] = [0; 3];
+    for (row, subject) in found.subjects.iter().enumerate() {
+        let k = row as u64 + 1;
+        let before = pose(k, &map(&matched.keys[row]).points);
+        let after = pose(k, &map(&found.matched.keys[row]).points);
+        println!("s{k}: pose {before}, then {after}: {:?} {:?}", subject.place, subject.group);
+        let Some(on) = subject.group else {
+            assert!(before == 0 && subject.place == SubjectOutcome::Model, "a reliable match has the right pose");
+            continue;
+        };
+        // The poses that matches of others have shown complete those of each.
+        let rivals = matched.rivals.iter().find(|of| of.subject == row).unwrap();
+        let turned = |(key, rotation): (&String, &[[f64; 3]; 3])| {
+            let turn = Matrix3::from_fn(|r, c| rotation[r][c]);
+            let back = |p: &[f32; 3]| <[f64; 3]>::from(turn * Vector3::from(p.map(f64::from))).map(|x| x as f32);
+            pose(k, &map(key).points.iter().map(back).collect::<Vec<_>>())
+        };
+        let mut poses: Vec<usize> = rivals.keys.iter().zip(&rivals.rotations).map(turned).chain([before]).collect();
+        poses.sort_unstable();
+        assert_eq!(poses, [0, 1, 2, 3], "s{k}");
+        open += 1;
+        if on.decided {
+            assert!(after == 0 && subject.place == SubjectOutcome::Model, "s{k}: {on:?}");
+            decided += 1;
+            changed += usize::from(before != 0);
+        } else {
+            assert!(before == after && subject.place == SubjectOutcome::Unreliable, "s{k}: {on:?}");
         }
     }
-    let _ = SubjectOutcome::Model;
+    println!("{open} open, {decided} decided, {changed} of these against their own match");
+    assert!(open >= 8 && decided >= 6 && changed >= 3, "{open} {decided} {changed}");
 }

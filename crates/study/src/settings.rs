@@ -160,6 +160,10 @@ impl Visits {
     }
 }
 
+/// Fewest reliable subjects from which a group decides about poses: the scale of their differences is a variance, and the farthest
+/// of two is no range.
+pub(crate) const FEWEST_RELIABLE: usize = 3;
+
 /// What becomes of a subject that several poses explain as well (`ambiguous_pose`).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

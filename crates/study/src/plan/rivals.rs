@@ -13,8 +13,7 @@ use crate::cohort::Role;
 use crate::error::StudyError;
 use crate::plan::{Purpose, Records, Step, Study, Task, Template};
 use crate::record::{Facts, angle, hash_of_texts};
-use crate::rivals::FEWEST_RELIABLE;
-use crate::settings::Rivals;
+use crate::settings::{FEWEST_RELIABLE, Rivals};
 use homolog_contract::parameters::{
     Algorithm, Bending, DisplacementMode, FieldStarts, InitialPose, MatchParameters, Refinement,
 };

@@ -38,7 +38,6 @@ mod settings;
 mod shapes;
 mod surfaces;
 
-pub(crate) use settings::FEWEST_RELIABLE;
 pub(crate) use surfaces::rival_surfaces;
 
 use crate::cohort::Role;
@@ -46,6 +45,7 @@ use crate::error::StudyError;
 use crate::folder::{Decision, Folder, Verdict};
 use crate::plan::{Matched, Records, Study, SubjectRivals};
 use crate::record::{Record, hash_of_texts};
+use crate::settings::FEWEST_RELIABLE;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
 use marginals::GroupEnergy;

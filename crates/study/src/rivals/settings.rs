@@ -1,9 +1,5 @@
 //! Numbers that decide about the poses of subjects, each with its reason.
 
-/// Fewest reliable subjects from which the group decides: the scale of their differences is a variance, and the farthest of two
-/// is no range.
-pub(crate) const FEWEST_RELIABLE: usize = 3;
-
 /// Settings of the decision between candidates.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GroupSettings {

@@ -36,7 +36,7 @@ static SYMMETRIES: LazyLock<Vec<Vec<usize>>> = LazyLock::new(|| {
 
 /// Smooth fields over the template, about one for each independent direction.
 static PARTS: LazyLock<Vec<Vec<f64>>> =
-    LazyLock::new(|| ellipsoid(Vector3::from(AXES), 1).vertices().iter().map(|center| heights(center)).collect());
+    LazyLock::new(|| ellipsoid(Vector3::from(AXES), 1).vertices().iter().map(heights).collect());
 
 fn heights(center: &Point3<f64>) -> Vec<f64> {
     TEMPLATE.vertices().iter().map(|p| (-(p - center).norm_squared() / (2.0 * WIDTH_MM * WIDTH_MM)).exp()).collect()
@@ -61,11 +61,14 @@ impl Random {
     }
 }
 
+/// The template's vertices on a subject, mm.
+type Map = Vec<[f32; 3]>;
+
 /// A group: maps of reliable subjects, and those of the candidates of ambiguous ones, with the place of the right one.
 #[derive(Clone)]
 struct Group {
-    reliable: Vec<Vec<[f32; 3]>>,
-    ambiguous: Vec<(Vec<Vec<[f32; 3]>>, Option<usize>)>,
+    reliable: Vec<Map>,
+    ambiguous: Vec<(Vec<Map>, Option<usize>)>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -155,8 +158,7 @@ impl Group {
     }
 
     fn shapes(&self, observed: &Observed) -> Vec<Vec<Shape>> {
-        let shapes =
-            |(maps, _): &(Vec<Vec<[f32; 3]>>, _)| maps.iter().map(|map| observed.frame.shape(map).unwrap()).collect();
+        let shapes = |(maps, _): &(Vec<Map>, _)| maps.iter().map(|map| observed.frame.shape(map).unwrap()).collect();
         self.ambiguous.iter().map(shapes).collect()
     }
 

@@ -12,7 +12,7 @@ use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::plan::Study;
 use homolog_study::settings::{
-    Analysis, Correspondence, MadeTemplate, Measure, Settings, Size, TemplateChoice, Visits,
+    Analysis, Correspondence, MadeTemplate, Measure, Rivals, Settings, Size, TemplateChoice, Visits,
 };
 use std::path::Path;
 
@@ -35,6 +35,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         size: Size::Kept,
         correspondence: Correspondence::Pairs,
         visits: Visits::GroupTemplate,
+        rivals: Rivals::Decide,
         analysis: Analysis {
             effect: Some(effect.clone()),
             measures: vec![Measure::NormalDisplacement],

@@ -51,7 +51,7 @@ for maps in ("pairs", "joint"):
     mean, faces, found = molars.study(arguments.binary, out / "study", "--without-size", "--correspondence", maps)
     areas = vertex_areas(mean, faces)
     shapes[f"maps, {maps}"] = found, areas / areas.sum()
-    residuals = [float(row["residual_mm"]) for row in quality(out / "study", molars.names) if row["residual_mm"]]
+    residuals = [float(row["residual_mm"]) for row in quality(out / "study", molars.names) if row["place"] == "model"]
     models[maps] = model_figures(out / "study") | {"residual_mm": np.mean(residuals)}
 lines = [f"{len(molars.names)} second lower molars; taxa with at least {FEWEST} specimens. Right: the nearest neighbor is of the same taxon.", "",
          "| distances of | genus right | family right |", "|---|---|---|"]
@@ -59,7 +59,8 @@ for name, (points, weights) in shapes.items():
     found = distances(points, weights)
     genus, family = (right(found, taxa[kind]) for kind in ("genus", "family"))
     lines.append(f"| {name} | {genus[0]} of {genus[1]} | {family[0]} of {family[1]} |")
-lines += ["", "The shape models of the maps, 10 modes, all teeth scaled to their mean size, mm of that size (residuals: of their own):", "",
+lines += ["", "The shape models of the maps, 10 modes, all teeth scaled to their mean size, mm of that size (residuals: of their own).",
+          "Specimens whose match is not reliable are not in the model:", "",
           "| maps | in the model | compactness | generalization, mm | specificity, mm | residual, mean, mm |", "|---|---|---|---|---|---|"]
 for maps, of in models.items():
     figures = (f"{of[key]['10']:.3f}" for key in ("compactness", "generalization_mm", "specificity_mm"))

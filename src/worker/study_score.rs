@@ -92,8 +92,9 @@ pub(super) fn check(definition: &StudyDefinition, asked: &ScoreQuestions) -> Res
     let mut settings = settings(definition).map_err(|error| fault("", &error))?;
     let reference = reference(asked);
     check_group(&cohort, reference.within.as_ref()).map_err(|error| fault("/group", &error))?;
-    let is_known = asked.adjust.iter().all(|name| cohort.covariate(name).is_some());
-    let place = if is_known { "/covariates" } else { "/adjust" };
+    let names = &asked.adjust;
+    let is_sound = |(k, name): (usize, &String)| cohort.covariate(name).is_some() && !names[..k].contains(name);
+    let place = if names.iter().enumerate().all(is_sound) { "/covariates" } else { "/adjust" };
     reference.adjustment.check(&cohort).map_err(|error| fault(place, &error))?;
     let new = NewSubject { file: PathBuf::new(), side: asked.side, labels: None };
     add(&mut cohort, &mut settings, new).map_err(|error| fault("/side", &error))?;

@@ -47,6 +47,8 @@ mod scheduling;
 mod schemathesis;
 mod server;
 mod service;
+#[path = "../fixtures/solids.rs"]
+mod solids;
 #[path = "../layout/mod.rs"]
 mod source_tree;
 mod spans;
@@ -54,6 +56,7 @@ mod store;
 mod store_records;
 mod studies;
 mod study_labels;
+mod study_questions;
 mod study_scores;
 mod study_service;
 mod study_structures;

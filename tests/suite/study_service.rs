@@ -95,7 +95,7 @@ impl Service {
     }
 
     /// Ids of the matches of a study.
-    fn matches(&self, id: &str) -> BTreeSet<String> {
+    pub(super) fn matches(&self, id: &str) -> BTreeSet<String> {
         let listed = self.get(&format!("/v1/jobs?study={id}&page_size=500&fields=id"));
         listed["jobs"].as_array().unwrap().iter().map(|job| job["id"].as_str().unwrap().to_owned()).collect()
     }

@@ -14,11 +14,16 @@
 //! With joint maps ([`crate::joint`]) the match back to the template has to follow the revision: a point of a subject
 //! first goes where the pair map has the vertices that the joint map has at the point. The cycle then measures the
 //! agreement of both matches as before, in the revised positions.
+//!
+//! Where the group decided the pose of a subject ([`crate::rivals`]), its own matches leave the pose open, and need not have the one of
+//! its map. Cycles in which its map meets such a match are left out: to the template and back, and the distance of its pair maps from
+//! those through the template. The other cycles are of pair maps alone, or of maps through the template alone.
 
 use crate::error::StudyError;
 use crate::folder::Folder;
 use crate::plan::{Matched, Records, Study};
 use crate::record::Record;
+use crate::rivals::GroupDecision;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::{Cancelled, Observer, checkpoint};
 use homolog_run::intake::{IntakeLimits, prepare_surface};
@@ -42,6 +47,9 @@ pub struct Distances {
 pub struct Consistency {
     /// Subjects of the ring.
     pub ring: Vec<String>,
+    /// Those of them whose pose the group decided. Without them: `template_and_back`, and the pairs of `pair_to_template`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub decided: Vec<String>,
     /// To the template and back, by two independent matches.
     pub template_and_back: Distances,
     /// To the next subject and back, by two independent matches.
@@ -81,20 +89,28 @@ fn distances(mut all: Vec<f64>) -> Distances {
     Distances { mean_mm: all.iter().sum::<f64>() / n as f64, median_mm: at(50), p95_mm: at(95) }
 }
 
-/// Measures the cycles of a study; `None` if none were requested, or a match of the ring failed. `maps` has the keys of
-/// the maps that the study uses, `matched` those of the matches.
+/// Measures the cycles of a study; `None` if none were requested, a match of the ring failed, or the group decided so many poses that
+/// no cycle of a kind is left. `maps` has the keys of the maps that the study uses, `matched` those of the matches, and `poses`
+/// what the group says about the pose of each subject.
 ///
 /// # Errors
 /// Errors of reading records and files; [`StudyError::Interrupted`].
 pub fn consistency(
     study: &Study,
-    matched: &Matched,
-    maps: &Matched,
+    (matched, maps): (&Matched, &Matched),
+    poses: &[Option<GroupDecision>],
     folder: &Folder,
     observer: &dyn Observer,
 ) -> Result<Option<Consistency>, StudyError> {
     let cycles = &matched.cycles;
     if cycles.ring.len() < 3 {
+        return Ok(None);
+    }
+    let n = cycles.ring.len();
+    let decided: Vec<bool> =
+        cycles.ring.iter().map(|&k| poses.get(k).copied().flatten().is_some_and(|pose| pose.decided)).collect();
+    let follows_pairs = |k: usize| !decided[k] && !decided[(k + 1) % n];
+    if !(0..n).any(follows_pairs) {
         return Ok(None);
     }
     let mesh = &matched.making.template.mesh;
@@ -117,7 +133,6 @@ pub fn consistency(
             .filter(|r| r.facts.error.is_none() && r.points.len() == vertices)
             .map(|r| crate::align::points(&r.points)))
     };
-    let n = cycles.ring.len();
     let (mut out, mut back, mut to, mut inverse) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut unrevised = Vec::new();
     for (k, surface) in surfaces.iter().enumerate() {
@@ -162,17 +177,19 @@ pub fn consistency(
             }
             let direct = to[next].1.apply(&inverse[k].apply(&begin, observer)?, observer)?;
             Ok([
-                apart(&begin, &template),
+                if decided[k] { Vec::new() } else { apart(&begin, &template) },
                 apart(&begin, &pair),
                 apart(&begin, &by_pairs),
                 apart(&begin, &through),
-                apart(&pair_image, &direct),
+                if follows_pairs(k) { apart(&pair_image, &direct) } else { Vec::new() },
             ])
         })
         .collect::<Result<_, Cancelled>>()?;
     let all = |which: usize| distances(each.iter().flat_map(|cycles| cycles[which].iter().copied()).collect());
+    let ids: Vec<&String> = cycles.ring.iter().map(|&k| &study.cohort.subjects[k].id).collect();
     Ok(Some(Consistency {
-        ring: cycles.ring.iter().map(|&k| study.cohort.subjects[k].id.clone()).collect(),
+        decided: ids.iter().zip(&decided).filter(|(_, is)| **is).map(|(id, _)| (*id).clone()).collect(),
+        ring: ids.into_iter().cloned().collect(),
         template_and_back: all(0),
         pair_and_back: all(1),
         ring_by_pairs: all(2),

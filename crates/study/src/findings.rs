@@ -258,7 +258,7 @@ pub(crate) fn find_with(
     watcher.progress("statistics", 0, 1);
     let complex_of = complex.as_ref();
     let statistics = statistics(study, matched, complex_of, folder, &alignment, &mean, &subjects, &members, watcher)?;
-    let consistency = consistency(study, &pairs, matched, folder, observer)?;
+    let consistency = consistency(study, (&pairs, matched), &group, folder, observer)?;
     let matched = matched.clone();
     Ok(Findings { matched, joint, complex, subjects, members, alignment, mean, model, statistics, consistency, labels })
 }

@@ -543,7 +543,15 @@ fn consistency(found: &Findings) -> String {
         row("from pair maps to maps through the template", &found.pair_to_template),
     ];
     let header = ["cycle error", "mean, mm", "median, mm", "95th percentile, mm"];
-    format!("<h2>Consistency over the group</h2>\n{}", table(&header, &rows, "free"))
+    let mut html = format!("<h2>Consistency over the group</h2>\n{}", table(&header, &rows, "free"));
+    if !found.decided.is_empty() {
+        let (n, s) = (found.decided.len(), if found.decided.len() == 1 { "" } else { "s" });
+        html.push_str(&format!(
+            "<p class=\"hint\">Without {n} subject{s} whose pose the group decided, in the first and the last row: matches leave it \
+             open.</p>\n"
+        ));
+    }
+    html
 }
 
 fn labels(found: &Findings) -> String {

@@ -19,6 +19,8 @@ mod rivals;
 mod rivals_matched;
 mod score;
 mod sides;
+#[path = "../../../../tests/fixtures/solids.rs"]
+mod solids;
 mod statistics;
 mod structures;
 mod structures_matched;

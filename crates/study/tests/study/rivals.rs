@@ -86,12 +86,14 @@ struct Made {
     rivals: Rivals,
     columns: bool,
     order: Vec<usize>,
+    /// The subjects among which consistency is measured.
+    ring: Vec<usize>,
 }
 
 impl Default for Made {
     fn default() -> Self {
         let order = (0..SUBJECTS).collect();
-        Made { ambiguous: 4, bump_mm: 3.0, rivals: Rivals::Decide, columns: false, order }
+        Made { ambiguous: 4, bump_mm: 3.0, rivals: Rivals::Decide, columns: false, order, ring: Vec::new() }
     }
 }
 
@@ -122,8 +124,8 @@ impl Made {
             visits: Visits::default(),
             rivals: self.rivals,
             analysis: Analysis::default(),
-            cycle_subjects: 0,
-            cycle_ring: Vec::new(),
+            cycle_subjects: self.ring.len(),
+            cycle_ring: self.ring.iter().map(|k| format!("s{k}")).collect(),
             parameters: preset(Method::Balanced),
         };
         // Covariates that would say which pose is right, and the opposite.
@@ -150,7 +152,20 @@ impl Made {
         if self.is_ambiguous(k) { [0, 1, 2, 0][k % 4] } else { 0 }
     }
 
+    /// A match of the ring: to the template in the pose of the subject's own match, or to another subject in those of both.
+    fn of_ring(&self, [source, target]: [Option<usize>; 2]) -> Record {
+        let turn = |of: Option<usize>| of.map_or(0, |k| self.own_turn(k));
+        let onto = target.map_or_else(|| TEMPLATE.clone(), |k| surface(k, self.bump_mm));
+        let image = |v: usize| onto.vertices()[IMAGES[turn(target)][IMAGES[turn(source)][v]]];
+        let points = (0..onto.n_vertices()).map(|v| image(v).coords.map(|x| x as f32).into()).collect();
+        Record { facts: Facts { reliable: Some(true), ..Facts::default() }, points }
+    }
+
     fn record(&self, study: &Study, task: &Task, own: &[Template]) -> Record {
+        if let Some(source) = task.source {
+            let number = |row: usize| number_of(&study.cohort.subjects[row].id);
+            return self.of_ring([Some(number(source)), task.target.map(number)]);
+        }
         let row = task.target.or(task.rival.map(|rival| rival.subject)).unwrap();
         let k = number_of(&study.cohort.subjects[row].id);
         let whole = surface(k, self.bump_mm);
@@ -327,6 +342,36 @@ fn without_open_poses_or_with_too_few_others_there_is_no_step() {
     write(&left.study, &left.found, &[], &left.folder, "test", &Quiet).unwrap();
     let text = |name: &str| String::from_utf8(left.folder.read(name).unwrap().unwrap()).unwrap();
     assert!(!text("subjects.csv").contains("pose_") && !text("study.json").contains("ambiguous_poses"));
+}
+
+#[test]
+fn a_decided_pose_is_in_no_cycle_with_matches_of_the_pose_before() {
+    let of = |ring: &[usize], rivals: Rivals| Made { ring: ring.to_vec(), rivals, ..Made::default() }.found(&[]);
+    let done = of(&[1, 5, 8, 10], Rivals::Decide);
+    let pose = done.found.subjects[done.row(1)].group.unwrap();
+    assert!(pose.decided && pose.candidate > 0, "{pose:?}");
+    let found = done.found.consistency.clone().unwrap();
+    assert_eq!((found.ring.join(" ").as_str(), found.decided.join(" ").as_str()), ("s1 s5 s8 s10", "s1"));
+    // All matches are exact in the poses that they have.
+    let all = [
+        found.template_and_back,
+        found.pair_and_back,
+        found.ring_by_pairs,
+        found.ring_through_template,
+        found.pair_to_template,
+    ];
+    assert!(all.iter().all(|figure| figure.mean_mm < 1e-3 && figure.p95_mm < 1e-3), "{found:?}");
+    write(&done.study, &done.found, &[], &done.folder, "test", &Quiet).unwrap();
+    let text = |name: &str| String::from_utf8(done.folder.read(name).unwrap().unwrap()).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&text("study.json")).unwrap();
+    assert_eq!(document["found"]["consistency"]["decided"], serde_json::json!(["s1"]));
+    assert!(text("report.html").contains("Without 1 subject whose pose the group decided"));
+    // Left open, it is in all cycles with the map of its match.
+    let open = of(&[1, 5, 8, 10], Rivals::LeaveOut).found.consistency.unwrap();
+    assert!(open.decided.is_empty() && open.template_and_back.p95_mm < 1e-3 && open.pair_to_template.p95_mm < 1e-3);
+    assert!(!serde_json::to_string(&open).unwrap().contains("decided"));
+    // No two that follow each other have the poses of their matches.
+    assert_eq!(of(&[1, 2, 5], Rivals::Decide).found.consistency, None);
 }
 
 proptest! {

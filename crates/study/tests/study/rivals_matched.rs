@@ -1,10 +1,9 @@
 //! A group of solids with the symmetries of an ellipsoid but for faint bumps: some matches are sure of their pose, others leave it
 //! open, and the group decides these. Matched, not made up.
 
+use crate::solids::{directions, motion, solid, surface};
 use homolog_contract::parameters::{Method, preset};
 use homolog_formats::ply::write_ply;
-use homolog_mesh::SurfaceMesh;
-use homolog_mesh::shapes::ellipsoid;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::find;
 use homolog_study::folder::Folder;
@@ -13,59 +12,15 @@ use homolog_study::plan::{Records, Study};
 use homolog_study::settings::{Analysis, Correspondence, Rivals, Settings, Size, TemplateChoice, Visits};
 use homolog_study::storage::Inputs;
 use homolog_study::subjects::SubjectOutcome;
-use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3};
 use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
 const SUBJECTS: usize = 24;
-/// Height of the bump that all have, and largest height of those in which subjects differ, as shares of the radius.
-const BUMP: f64 = 0.04;
-const VARIES: f64 = 0.01;
 
 struct Quiet;
 impl StudyObserver for Quiet {}
-
-/// Repeatable numbers between -1 and 1.
-fn number(of: u64, which: u64) -> f64 {
-    let bytes = *blake3::hash(format!("solid {of} {which}").as_bytes()).as_bytes();
-    let [a, b, c, d, ..] = bytes;
-    2.0 * f64::from(u32::from_le_bytes([a, b, c, d])) / f64::from(u32::MAX) - 1.0
-}
-
-/// Where the direction `n` meets the surface of subject `k`; of the template, 0, without variation.
-fn solid(k: u64, n: &Vector3<f64>) -> Point3<f64> {
-    let base = ((n.x / 22.0).powi(2) + (n.y / 13.0).powi(2) + (n.z / 9.0).powi(2)).powf(-0.5);
-    let bump =
-        |at: Vector3<f64>, height: f64, width: f64| height * (-(n - at.normalize()).norm_squared() / width).exp();
-    let mut height = bump(Vector3::new(0.8, 0.5, 0.3), BUMP, 0.15);
-    if k > 0 {
-        for part in 0..12u64 {
-            let at = Vector3::from([0, 1, 2].map(|axis| number(999, 3 * part + axis)));
-            height += bump(at, VARIES * number(k, part), 0.3);
-        }
-    }
-    Point3::from(n * base * (1.0 + height))
-}
-
-fn motion(k: u64) -> Isometry3<f64> {
-    if k == 0 {
-        return Isometry3::identity();
-    }
-    let of = |which: u64| number(k, 100 + which);
-    Isometry3::new(20.0 * Vector3::new(of(0), of(1), of(2)), 2.0 * Vector3::new(of(3), of(4), of(5)))
-}
-
-fn directions(k: u64) -> Vec<Vector3<f64>> {
-    let turn = Rotation3::from_euler_angles(number(k, 200), number(k, 201), number(k, 202));
-    let sphere = ellipsoid(Vector3::new(1.0, 1.0, 1.0), 3);
-    sphere.vertices().iter().map(|p| turn * p.coords.normalize()).collect()
-}
-
-fn surface(k: u64) -> SurfaceMesh {
-    let sphere = ellipsoid(Vector3::new(1.0, 1.0, 1.0), 3);
-    sphere.with_vertices(directions(k).iter().map(|n| motion(k) * solid(k, n)).collect()).unwrap()
-}
 
 #[derive(Debug)]
 struct Files;

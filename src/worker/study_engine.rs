@@ -164,30 +164,19 @@ pub(super) fn check(definition: &StudyDefinition) -> Result<(), Vec<StudyFault>>
             faults.push(fault(format!("/subjects/{place}"), detail));
         }
     }
+    // The first name that is none of those known.
+    let mut unknown_name = |pointer: &str, names: &[String], known: &[&str]| {
+        if let Some(unknown) = names.iter().find(|name| !known.contains(&name.as_str())) {
+            let shown: String = unknown.chars().take(64).collect();
+            faults.push(fault(pointer.to_owned(), format!("{shown} is none of {}", known.join(", "))));
+        }
+    };
+    let asked = &definition.questions;
     let measures: BTreeSet<&str> = Measure::ALL.into_iter().map(Measure::name).collect();
-    if let Some(unknown) = definition.questions.measures.iter().find(|name| !measures.contains(name.as_str())) {
-        let known: Vec<&str> = measures.into_iter().collect();
-        let shown: String = unknown.chars().take(64).collect();
-        faults.push(fault("/measures".to_owned(), format!("{shown} is none of {}", known.join(", "))));
-    }
-    let correspondence = definition.questions.correspondence.as_deref();
-    if let Some(unknown) = correspondence.filter(|name| Correspondence::of_name(name).is_none()) {
-        let shown: String = unknown.chars().take(64).collect();
-        let known = Correspondence::ALL.map(Correspondence::name).join(", ");
-        faults.push(fault("/correspondence".to_owned(), format!("{shown} is none of {known}")));
-    }
-    let visits = definition.questions.visits.as_deref();
-    if let Some(unknown) = visits.filter(|name| Visits::ALL.iter().all(|of| of.name() != *name)) {
-        let shown: String = unknown.chars().take(64).collect();
-        let known = Visits::ALL.map(Visits::name).join(", ");
-        faults.push(fault("/visits".to_owned(), format!("{shown} is none of {known}")));
-    }
-    let rivals = definition.questions.rivals.as_deref();
-    if let Some(unknown) = rivals.filter(|name| Rivals::ALL.iter().all(|of| of.name() != *name)) {
-        let shown: String = unknown.chars().take(64).collect();
-        let known = Rivals::ALL.map(Rivals::name).join(", ");
-        faults.push(fault("/rivals".to_owned(), format!("{shown} is none of {known}")));
-    }
+    unknown_name("/measures", &asked.measures, &Vec::from_iter(measures));
+    unknown_name("/correspondence", asked.correspondence.as_slice(), &Correspondence::ALL.map(Correspondence::name));
+    unknown_name("/visits", asked.visits.as_slice(), &Visits::ALL.map(Visits::name));
+    unknown_name("/rivals", asked.rivals.as_slice(), &Rivals::ALL.map(Rivals::name));
     let unknown_start = |ids: BTreeSet<&String>| {
         let start = definition.questions.start.as_ref().filter(|start| !ids.contains(start))?;
         let shown: String = start.chars().take(64).collect();

@@ -43,7 +43,7 @@ impl Finished {
     }
 }
 
-/// Asserts a refusal of one member, and returns what is said about it.
+/// Checks that a request is refused for one member, and returns the detail of the error.
 fn refused(service: &Service, path: &str, asked: &Value, pointer: &str) -> String {
     let answer = service.post(path, asked);
     let status = answer.status();

@@ -25,6 +25,7 @@ pub mod quality;
 pub mod record;
 mod report;
 pub mod rivals;
+mod rotation;
 pub mod score;
 pub mod settings;
 pub mod sides;

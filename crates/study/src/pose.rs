@@ -2,6 +2,7 @@
 
 use crate::align::fit_onto;
 use crate::complex::Complex;
+use crate::rotation::angle;
 use crate::subjects::RelativePose;
 use nalgebra::{Point3, Vector3};
 use std::ops::Range;
@@ -26,9 +27,8 @@ pub(crate) fn relative_poses(
         let own: Vec<Point3<f64>> = sized[at.clone()].iter().map(|p| onto.apply(p)).collect();
         let (mean, weights) = (&mean[at.clone()], &weights[at]);
         let turned = fit_onto(mean, &own, weights, false).ok()?.rotation;
-        let cosine = f64::midpoint(turned.trace(), -1.0).clamp(-1.0, 1.0);
         let shift = centroid(&own, weights) - centroid(mean, weights);
-        Some(RelativePose { shift_mm: shift.into(), rotation_degrees: cosine.acos().to_degrees() })
+        Some(RelativePose { shift_mm: shift.into(), rotation_degrees: angle(&turned).to_degrees() })
     };
     let mut poses = vec![None];
     poses.extend(complex.structures[1..].iter().map(|structure| pose(structure.vertices.clone())));

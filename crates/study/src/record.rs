@@ -1,12 +1,13 @@
 //! The stored results of one match: positions of the vertices of one surface on the other, and evidence for its
 //! reliability. A record is a small binary file: the match itself, with its energies and timings, is not stored.
 
+use crate::rotation::{angle, rows};
 use homolog_contract::parameters::MatchParameters;
 use homolog_contract::result::{PoseDocument, WarpDirection, WarpSpace};
 use homolog_formats::{VertexArray, VertexValues};
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Observer;
-use homolog_registration::SAME_POSE_ANGLE;
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE};
 use homolog_run::intake::IntakeLimits;
 use homolog_run::{InputFile, RunError, RunOutput, SurfaceCache, run_match_with};
 use nalgebra::Matrix3;
@@ -153,8 +154,8 @@ impl Record {
             residual_mm: distances.iter().sum::<f64>() / n as f64,
             residual_p95_mm: distances.get(n * 19 / 20).copied().unwrap_or(0.0),
             folded: {
-                let matrix = &output.document.transform.matrix;
-                folded(&output.source, &bent.mesh, &Matrix3::from_fn(|r, c| matrix[r][c]))
+                let transform = RigidTransform::of_matrix(&output.document.transform.matrix);
+                folded(&output.source, &bent.mesh, &transform.rotation)
             },
             confidence: confidence(&bent.arrays),
             volume_mm3: closed.then(|| output.target.signed_volume()),
@@ -174,7 +175,7 @@ impl Record {
 fn rivals(poses: &[PoseDocument], is_mirrored: bool) -> Vec<[[f64; 3]; 3]> {
     let mut found: Vec<Matrix3<f64>> = Vec::new();
     for pose in poses.iter().filter(|pose| pose.as_good) {
-        let linear = Matrix3::from_fn(|r, c| pose.matrix[r][c]);
+        let linear = RigidTransform::of_matrix(&pose.matrix).rotation;
         let rotation = if is_mirrored { crate::mirror::linear() * linear } else { linear };
         let is_rotation = rotation.determinant() > 0.0;
         if !is_rotation || pose.angle_deg.to_radians() < SAME_POSE_ANGLE {
@@ -184,12 +185,7 @@ fn rivals(poses: &[PoseDocument], is_mirrored: bool) -> Vec<[[f64; 3]; 3]> {
             found.push(rotation);
         }
     }
-    found.iter().map(|m| std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)]))).collect()
-}
-
-/// The angle of a rotation, radians, from 0 to π.
-pub(crate) fn angle(rotation: &Matrix3<f64>) -> f64 {
-    f64::midpoint(rotation.trace(), -1.0).clamp(-1.0, 1.0).acos()
+    found.iter().map(rows).collect()
 }
 
 /// A hash of texts, each ended by a zero byte, which names a record by what it is made of: 64 hexadecimal digits.
@@ -287,8 +283,6 @@ mod tests {
             mirrored: linear.determinant() < 0.0,
             as_good,
         };
-        let numbers =
-            |m: Matrix3<f64>| -> [[f64; 3]; 3] { std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)])) };
         let (half, near, quarter) = (turned(3.0), turned(3.2), turned(1.5));
         let poses = [
             pose(half, 170.0, true),
@@ -296,12 +290,12 @@ mod tests {
             pose(turned(1.0), 57.0, false),
             pose(quarter, 86.0, true),
         ];
-        assert_eq!(rivals(&poses, false), [numbers(half), numbers(quarter)]);
+        assert_eq!(rivals(&poses, false), [rows(&half), rows(&quarter)]);
         let mirrored = poses.clone().map(|of| {
-            let linear = crate::mirror::linear() * Matrix3::from_fn(|r, c| of.matrix[r][c]);
+            let linear = crate::mirror::linear() * RigidTransform::of_matrix(&of.matrix).rotation;
             pose(linear, of.angle_deg, of.as_good)
         });
-        assert_eq!(rivals(&mirrored, true), [numbers(half), numbers(quarter)]);
+        assert_eq!(rivals(&mirrored, true), [rows(&half), rows(&quarter)]);
         assert!(rivals(&mirrored, false).is_empty(), "of the other handedness");
         let shifted = [poses[0].clone(), pose(turned(0.1), 5.0, true)];
         assert!(rivals(&shifted, false).is_empty(), "another place, not another rotation");

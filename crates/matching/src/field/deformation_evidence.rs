@@ -33,11 +33,16 @@ pub(super) struct Observed {
     pub normal: Vector3<f64>,
 }
 
+/// Every how many of `n` points are taken, so that these are `most` at most.
+pub(super) fn every(n: usize, most: usize) -> usize {
+    n.div_ceil(most).max(1)
+}
+
 /// Every `step`-th vertex of the source, `most` of them at most, with its image on the target if it moves to `moved`; and
 /// `step`. Points beyond the rim of the target have no counterpart and are left out.
 pub(super) fn observed(displacement: &FitContext<'_>, moved: &[Point3<f64>], most: usize) -> (Vec<Observed>, usize) {
     let (target, closest) = (&displacement.target, displacement.target.closest());
-    let step = moved.len().div_ceil(most).max(1);
+    let step = every(moved.len(), most);
     let of_vertex = |vertex: usize| {
         let image = closest.index.closest(&moved[vertex]);
         let normal = image.blend(|k| target.normals[k]).try_normalize(1e-9)?;

@@ -10,6 +10,7 @@
 //! from the rigid pose, through all stages.
 
 use super::coarse::coarse_alone;
+use super::deformation_evidence::every;
 use super::displacement::FitContext;
 use super::fine::{fine_in, sliding};
 use super::fitted::{FinalField, FineStageFit, LocalKernel, pose_of};
@@ -135,7 +136,7 @@ fn fit_from_pose(
 /// The most probable kernel of the heights of the source, with its vertices at `moved`, below the target.
 fn evidence(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> Option<KernelEvidence> {
     let source = displacement.source.mesh.vertices();
-    let step = source.len().div_ceil(displacement.options.local.evidence_samples);
+    let step = every(source.len(), displacement.options.local.evidence_samples);
     let picked: Vec<usize> = (0..source.len()).step_by(step).collect();
     let mut heights = Vec::with_capacity(picked.len());
     let mut normals = Vec::with_capacity(picked.len());

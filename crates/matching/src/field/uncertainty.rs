@@ -13,7 +13,7 @@
 //! a height also has a linearization error, which grows with the posterior variance along the surface: both are
 //! iterated to a fixed point ([`ObservationSample::posterior`]).
 
-use super::deformation_evidence::{EVIDENCE_MAX_LOG2_RATIO, Observed, WIDTHS, observed};
+use super::deformation_evidence::{EVIDENCE_MAX_LOG2_RATIO, Observed, WIDTHS, every, observed};
 use super::displacement::FitContext;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::N_FEATURES;
@@ -42,11 +42,6 @@ const MOST_FEATURES: usize = 100;
 /// Bins of distance in an autocorrelation, and their width in roots of the area.
 const N_BINS: usize = 60;
 const BIN: f64 = 0.02;
-
-/// Every how many of `n` points are taken, so that these are `most` at most.
-fn every(n: usize, most: usize) -> usize {
-    n.div_ceil(most).max(1)
-}
 
 /// A sample of the points of the source, and the observations there.
 pub(super) struct ObservationSample {

@@ -53,14 +53,12 @@ impl ComponentPosterior {
         // computed per place.
         let (places, place_of) = places(components);
         let covariance = |p: &Point3<f64>, q: &Point3<f64>| prior.covariance_of(p, q, center);
-        let among =
-            Mat::from_fn(
-                places.len(),
-                places.len(),
-                |i, j| {
-                    if i < j { 0.0 } else { covariance(&places[i], &places[j]) }
-                },
-            );
+        let among = Mat::from_fn(places.len(), places.len(), |i, j| {
+            if i < j {
+                return 0.0;
+            }
+            covariance(&places[i], &places[j])
+        });
         let gram = Mat::from_fn(n, n, |i, j| {
             if i < j {
                 return 0.0;

@@ -12,7 +12,8 @@ use crate::align::{area_weights, fit_onto, points};
 use crate::cohort::Role;
 use crate::error::StudyError;
 use crate::plan::{Purpose, Records, Step, Study, Task, Template};
-use crate::record::{Facts, angle, hash_of_texts};
+use crate::record::{Facts, hash_of_texts};
+use crate::rotation::{angle, of_rows, rows};
 use crate::settings::{FEWEST_RELIABLE, Rivals};
 use homolog_contract::parameters::{
     Algorithm, Bending, DisplacementMode, FieldStarts, InitialPose, MatchParameters, Refinement,
@@ -139,7 +140,7 @@ fn poses(of: &Ambiguous, symmetries: &[Matrix3<f64>]) -> Vec<[[f64; 3]; 3]> {
         }
     }
     all.truncate(MOST);
-    all.iter().map(|m| std::array::from_fn(|r| std::array::from_fn(|c| m[(r, c)]))).collect()
+    all.iter().map(rows).collect()
 }
 
 /// Names the match in a rival pose by the match that found the pose, which depends on everything else.
@@ -183,11 +184,10 @@ impl Study {
                 let is_open = is_ambiguous(&record.facts);
                 let fitted =
                     is_open.then(|| fit_onto(vertices, &points(&record.points), &weights, false).ok()).flatten();
-                let matrix = |of: &[[f64; 3]; 3]| Matrix3::from_fn(|r, c| of[r][c]);
                 let ambiguous = fitted.map(|fitted| Ambiguous {
                     subject,
                     own: fitted.rotation,
-                    rivals: record.facts.rivals.iter().take(MOST).map(matrix).collect(),
+                    rivals: record.facts.rivals.iter().take(MOST).map(of_rows).collect(),
                 });
                 Ok((is_observed, ambiguous))
             })
@@ -273,8 +273,7 @@ mod tests {
         let found = symmetries(&all.iter().collect::<Vec<_>>());
         assert!(found.len() == 3 && are_same(&found[0], &x) && are_same(&found[1], &y) && are_same(&found[2], &z));
         for of in &all {
-            let poses: Vec<Matrix3<f64>> =
-                poses(of, &found).iter().map(|pose| Matrix3::from_fn(|r, c| pose[r][c])).collect();
+            let poses: Vec<Matrix3<f64>> = poses(of, &found).iter().map(of_rows).collect();
             let has = |symmetry: &Matrix3<f64>| poses.iter().any(|pose| are_same(pose, &(of.own * symmetry)));
             assert!(poses.len() == 3 && has(&x) && has(&y) && has(&z));
             assert_eq!(poses[0], of.rivals[0], "first that of the match, as it is");

@@ -240,9 +240,10 @@ impl<'a> Reader<'a> {
     fn map(&self, key: &str, kept: bool) -> Result<Option<Vec<[f32; 3]>>, StudyError> {
         checkpoint(self.observer)?;
         let n_vertices = self.matched.making.template.mesh.n_vertices();
-        let record = self.folder.get(key)?.filter(|record| record.is_map_of(n_vertices));
-        let record = record.filter(|record| kept || record.facts.reliable != Some(false));
-        Ok(record.map(|record| record.points))
+        let is_usable = |record: &Record| {
+            if kept { record.is_map_of(n_vertices) } else { record.is_reliable_map_of(n_vertices) }
+        };
+        Ok(self.folder.get(key)?.filter(is_usable).map(|record| record.points))
     }
 
     /// The observed subjects: one row of each person, spread over all if there are many.

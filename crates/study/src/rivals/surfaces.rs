@@ -3,27 +3,24 @@
 use crate::error::StudyError;
 use crate::folder::Folder;
 use crate::plan::{Rival, Study, Task, Template, hash};
+use crate::rotation::of_rows;
 use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
-use nalgebra::{Matrix3, Point3};
+use nalgebra::Point3;
 use rayon::prelude::*;
-
-fn matrix(rotation: &[[f64; 3]; 3]) -> Matrix3<f64> {
-    Matrix3::from_fn(|r, c| rotation[r][c])
-}
 
 /// A surface turned back about the origin.
 ///
 /// # Errors
 /// Errors of [`SurfaceMesh::with_vertices`].
 fn turned_back(surface: &SurfaceMesh, rotation: &[[f64; 3]; 3]) -> Result<SurfaceMesh, StudyError> {
-    let back = matrix(rotation).transpose();
+    let back = of_rows(rotation).transpose();
     Ok(surface.with_vertices(surface.vertices().iter().map(|p| back * p).collect())?)
 }
 
 /// Points of a surface that was turned back, where the surface is.
 pub(super) fn turned(points: &[[f32; 3]], rotation: &[[f64; 3]; 3]) -> Vec<[f32; 3]> {
-    let forth = matrix(rotation);
+    let forth = of_rows(rotation);
     let turn = |p: &[f32; 3]| <[f64; 3]>::from((forth * Point3::from(p.map(f64::from))).coords).map(|x| x as f32);
     points.iter().map(turn).collect()
 }
@@ -64,7 +61,7 @@ mod tests {
     fn points_come_back_to_the_surface() {
         let mesh = ellipsoid(Vector3::new(9.0, 5.0, 3.0), 2);
         let rotation = Rotation3::from_euler_angles(0.4, -2.0, 1.1);
-        let rotation: [[f64; 3]; 3] = std::array::from_fn(|r| std::array::from_fn(|c| rotation[(r, c)]));
+        let rotation = crate::rotation::rows(rotation.matrix());
         let back = turned_back(&mesh, &rotation).unwrap();
         let stored: Vec<[f32; 3]> = back.vertices().iter().map(|p| [p.x, p.y, p.z].map(|x| x as f32)).collect();
         for (p, q) in turned(&stored, &rotation).iter().zip(mesh.vertices()) {

@@ -3,8 +3,13 @@
 //! Two starts are compared patch by patch. After the wide field of each, the surfaces are divided into patches about as
 //! wide as the correlation of residuals. The mean over a patch of `−ln` of the likelihood is one observation, and the
 //! differences between the two starts over all patches are tested against zero. Where both poses are right, the
-//! differences have either sign and the size of sampling noise; a wrong pose is worse in many patches. Evidence is thus
-//! measured in standard errors, independent of shape, noise and deformation.
+//! differences have either sign and the size of sampling noise; a wrong pose is worse in many patches. Both surfaces
+//! show the same residual, so their standard errors are added as those of one number. Evidence is thus measured in
+//! standard errors, independent of shape, noise and deformation.
+//!
+//! Residuals of one kind are not independent everywhere: the edges of a cube are chamfered alike by the grid from which
+//! it was extracted, whichever of its poses is right. So another start is worse only if the deformation that it needs
+//! agrees with what it leaves unexplained.
 //!
 //! Source: Student's paired t test; Vuong, "Likelihood ratio tests for model selection and non-nested hypotheses",
 //! 1989.
@@ -15,11 +20,12 @@ use super::displacement::FitContext;
 use super::fine::fine_aside;
 use super::fine_misfit::{COMPARISON_SAMPLES, COMPARISON_SCALE};
 use super::fitted::pose_of;
-use super::track::placed;
+use super::track::{Placed, placed};
 use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced};
 use crate::poses::compared::{ComparedPose, ComparisonOutcome};
-use crate::surface::robust::mean_over_standard_error;
+use crate::surface::robust::mean_and_standard_error;
+use crate::surface::smooth::Subsample;
 use homolog_primitives::points::FarthestPoints;
 use homolog_registration::alignment::{OrientedPoints, point_misfits};
 use homolog_registration::deformation::HeightEvidence;
@@ -33,44 +39,29 @@ const PATCHES: usize = 64;
 /// Standard errors of the mean difference from which one of two starts is better; a chance of one in two thousand.
 const DISTINCT_STARTS: f64 = 3.5;
 
-/// Standard errors from which a bent answer is preferred to the answer of a rigid start: the usual two, because a wrong
-/// choice between answers of nearly equal likelihood costs little.
+/// Standard errors from which a start, or a bent answer, is preferred to the one before it: the usual two, because a
+/// wrong choice between answers of nearly equal likelihood costs little.
 pub(crate) const PREFERRED: f64 = 2.0;
 
-/// Standard errors from which a start is ruled out after the coarse stage: finer stages change less.
+/// Standard errors from which a start is ruled out by residuals alone: what comes later changes less.
 const RULED_OUT: f64 = 8.0;
 
 /// Unexplained residual of a start: the mean of `−ln` of the likelihood over each patch of both surfaces.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Unexplained(Vec<f64>);
-
-/// Result of the comparison of two starts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Preference {
-    /// The first explains more.
-    First,
-    /// The second explains more.
-    Second,
-    /// Their difference is within chance.
-    Equal,
+pub(crate) struct Unexplained {
+    of_source: Vec<f64>,
+    of_target: Vec<f64>,
 }
 
 impl Unexplained {
     /// Mean difference from `other` in standard errors; positive if `other` explains more.
     pub(crate) fn excess_over(&self, other: &Unexplained) -> f64 {
-        let differences: Vec<f64> = self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect();
-        mean_over_standard_error(&differences)
-    }
-
-    pub(crate) fn evidence(&self, other: &Unexplained) -> Preference {
-        let excess = self.excess_over(other);
-        if excess > DISTINCT_STARTS {
-            Preference::Second
-        } else if excess < -DISTINCT_STARTS {
-            Preference::First
-        } else {
-            Preference::Equal
-        }
+        let differences = |own: &[f64], other: &[f64]| {
+            mean_and_standard_error(&own.iter().zip(other).map(|(a, b)| a - b).collect::<Vec<f64>>())
+        };
+        let (of_source, error_of_source) = differences(&self.of_source, &other.of_source);
+        let (of_target, error_of_target) = differences(&self.of_target, &other.of_target);
+        (of_source + of_target) / (error_of_source + error_of_target).max(f64::MIN_POSITIVE)
     }
 }
 
@@ -108,55 +99,13 @@ pub(crate) fn compare_candidates(
     displacement: &FitContext<'_>,
     mut candidates: Vec<Candidate>,
 ) -> Result<Option<Chosen>, MatchError> {
-    // A fit with one start, such as the fit in the other direction, has no rival.
-    let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
-    let coarse: Vec<Option<Unexplained>> =
-        compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
-    let mut chosen = 0;
-    let mut of_chosen: Option<ComparedFit> = None;
-    for k in 1..candidates.len() {
-        let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
-        if candidates[k].compared.finer != ComparisonOutcome::Undecided {
-            continue;
-        }
-        let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
-        // A difference this large is not undone by finer stages. A start of the other handedness counts only if it fits
-        // better.
-        let coarse_excess = other.excess_over(own);
-        if coarse_excess > if of_other_hand { 0.0 } else { RULED_OUT } {
-            candidates[k].compared.finer = ComparisonOutcome::Outdone;
-            continue;
-        }
-        if of_chosen.is_none() {
-            of_chosen = unexplained_finely(displacement, &candidates[chosen])?;
-        }
-        let (Some(own), Some(found)) = (&of_chosen, unexplained_finely(displacement, &candidates[k])?) else {
-            continue;
-        };
-        let fate = match (own.unexplained.evidence(&found.unexplained), of_other_hand) {
-            (_, false) if displacement.are_same(&own.pose, &found.pose, SAME_POSE_ANGLE) => ComparisonOutcome::Same,
-            (Preference::First, _) | (Preference::Equal, true) => ComparisonOutcome::Outdone,
-            // At a fine scale all poses of two subjects or of noisy surfaces explain about the same; at the coarse scale
-            // one may explain less, or it needs the larger deformation.
-            (Preference::Equal, false)
-                if coarse_excess > DISTINCT_STARTS || own.is_distinct_from(&found, displacement) =>
-            {
-                ComparisonOutcome::Outdone
+    let (chosen, fits) = chosen_of(displacement, &mut candidates)?;
+    if let Some(own) = fits.get(chosen).and_then(Option::as_ref) {
+        for k in (0..candidates.len()).filter(|&k| k != chosen) {
+            if let Some(found) = &fits[k] {
+                candidates[k].compared.finer = own.compared_with(found, displacement);
             }
-            (Preference::Equal, false) => ComparisonOutcome::AsGood,
-            (Preference::Second, true) => ComparisonOutcome::Better,
-            (Preference::Second, false) => {
-                // Starts as good as the previous winner are outdone with it.
-                for candidate in &mut candidates[..k] {
-                    if matches!(candidate.compared.finer, ComparisonOutcome::Undecided | ComparisonOutcome::AsGood) {
-                        candidate.compared.finer = ComparisonOutcome::Outdone;
-                    }
-                }
-                (chosen, of_chosen) = (k, Some(found));
-                ComparisonOutcome::Undecided
-            }
-        };
-        candidates[k].compared.finer = fate;
+        }
     }
     if candidates.is_empty() {
         return Ok(None);
@@ -166,9 +115,48 @@ pub(crate) fn compare_candidates(
     Ok(candidates.into_iter().next().map(|Candidate { pose, state, .. }| Chosen { pose, state, compared }))
 }
 
+/// The index of the candidate that explains most, and where the candidates end that it has to be compared with; the
+/// others are outdone.
+fn chosen_of(
+    displacement: &FitContext<'_>,
+    candidates: &mut [Candidate],
+) -> Result<(usize, Vec<Option<ComparedFit>>), MatchError> {
+    let mut fits: Vec<Option<ComparedFit>> = candidates.iter().map(|_| None).collect();
+    // A fit with one start, such as the fit in the other direction, has no rival.
+    let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
+    let coarse: Vec<Option<Unexplained>> =
+        compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
+    let mut chosen = 0;
+    for k in 1..candidates.len() {
+        let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
+        if candidates[k].compared.finer != ComparisonOutcome::Undecided {
+            continue;
+        }
+        let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
+        // A difference this large is not undone by finer stages. A start of the other handedness counts only if it fits
+        // better.
+        if other.excess_over(own) > if of_other_hand { 0.0 } else { RULED_OUT } {
+            candidates[k].compared.finer = ComparisonOutcome::Outdone;
+            continue;
+        }
+        if fits[chosen].is_none() {
+            fits[chosen] = unexplained_finely(displacement, &candidates[chosen])?;
+        }
+        fits[k] = unexplained_finely(displacement, &candidates[k])?;
+        let (Some(own), Some(found)) = (&fits[chosen], &fits[k]) else { continue };
+        if !of_other_hand && own.unexplained.excess_over(&found.unexplained) > PREFERRED {
+            chosen = k;
+        }
+    }
+    Ok((chosen, fits))
+}
+
 /// Where a start ends after a fine stage.
 struct ComparedFit {
     unexplained: Unexplained,
+    /// The same at the scale at which the coarse stage ends. At a fine scale all poses of two subjects or of noisy
+    /// surfaces leave about the same unexplained.
+    at_coarse_scale: Unexplained,
     /// The vertices of the source there, and their rigid part.
     moved: Vec<Point3<f64>>,
     pose: RigidTransform,
@@ -181,39 +169,74 @@ impl ComparedFit {
         self.deformation.get_or_init(|| deformation_evidence(displacement, &self.moved, &self.pose)).as_ref()
     }
 
-    /// Whether this end is better than `other` by what both leave unexplained and by their deformations together.
+    /// The result of the comparison of this end, the chosen one, with another.
+    fn compared_with(&self, other: &ComparedFit, displacement: &FitContext<'_>) -> ComparisonOutcome {
+        if self.pose.is_reflection() != other.pose.is_reflection() {
+            let explains_more = self.unexplained.excess_over(&other.unexplained) > DISTINCT_STARTS;
+            return if explains_more { ComparisonOutcome::Better } else { ComparisonOutcome::Outdone };
+        }
+        if displacement.are_same(&self.pose, &other.pose, SAME_POSE_ANGLE) {
+            ComparisonOutcome::Same
+        } else if self.is_distinct_from(other, displacement) {
+            ComparisonOutcome::Outdone
+        } else {
+            ComparisonOutcome::AsGood
+        }
+    }
+
+    /// Whether this end is better than `other` by what both leave unexplained, at the scale at which they differ most,
+    /// and by their deformations together.
     fn is_distinct_from(&self, other: &ComparedFit, displacement: &FitContext<'_>) -> bool {
+        let excess = other.unexplained.excess_over(&self.unexplained);
+        let excess = excess.max(other.at_coarse_scale.excess_over(&self.at_coarse_scale));
+        if excess > RULED_OUT {
+            return true;
+        }
         let lead = match rayon::join(|| self.deformation(displacement), || other.deformation(displacement)) {
             (Some(own), Some(other)) => lead(own, other, resolution_mm(displacement)),
             _ => 0.0,
         };
-        is_distinct(other.unexplained.excess_over(&self.unexplained), lead)
+        is_distinct(excess, lead)
     }
 }
 
 /// Unexplained residual of the field of the coarse stage, at the scale at which that stage ends.
 fn unexplained_coarsely(displacement: &FitContext<'_>, candidate: &Candidate) -> Option<Unexplained> {
-    let n = displacement.options.coarse.n_samples;
-    let (thinned, target) = (displacement.source.thinned(n), displacement.target.thinned(n));
+    let thinned = displacement.source.thinned(displacement.options.coarse.n_samples);
     let values = displacement.functions.values(&thinned.points);
     let State { base, field, .. } = &candidate.state;
-    let moved = displaced(&base.moved(&thinned.points, &values), field, &values);
-    let normals: Vec<Vector3<f64>> = thinned.normals.iter().map(|n| candidate.pose.rotation * n).collect();
+    let points = displaced(&base.moved(&thinned.points, &values), field, &values);
+    let normals = thinned.normals.iter().map(|n| candidate.pose.rotation * n).collect();
+    Some(at_coarse_scale(displacement, &thinned, &Placed { points, normals }))
+}
+
+/// Unexplained residual of the `thinned` source at `placed`, at the scale at which the coarse stage ends.
+fn at_coarse_scale(displacement: &FitContext<'_>, thinned: &Subsample, placed: &Placed) -> Unexplained {
+    let target = displacement.target.thinned(displacement.options.coarse.n_samples);
     let kernel = comparison_kernel(displacement.options.coarse.sigma[1] * displacement.diagonal_mm);
-    let samples = OrientedPoints { points: &moved, normals: &normals, ..thinned.samples() };
+    let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
     let found = point_misfits(&samples, &target.assignment_target(), &kernel);
-    let mut patches = patch_means(&thinned.points, &thinned.areas, &found.of_source);
-    patches.extend(patch_means(&target.points, &target.areas, &found.of_target));
-    Some(Unexplained(patches))
+    Unexplained {
+        of_source: patch_means(&thinned.points, &thinned.areas, &found.of_source),
+        of_target: patch_means(&target.points, &target.areas, &found.of_target),
+    }
 }
 
 /// The end of a start after a fine stage; `None` if a number is not finite.
 fn unexplained_finely(displacement: &FitContext<'_>, candidate: &Candidate) -> Result<Option<ComparedFit>, MatchError> {
     let Some(fine) = fine_aside(displacement, candidate.state.clone())? else { return Ok(None) };
     let moved = fine.moved();
-    let pose = pose_of(displacement, &moved, &candidate.pose);
-    let unexplained = unexplained(displacement, &moved, candidate.compared.mirrored);
-    Ok(unexplained.map(|unexplained| ComparedFit { unexplained, moved, pose, deformation: OnceLock::new() }))
+    let mirrored = candidate.compared.mirrored;
+    let thinned = displacement.source.thinned(displacement.options.coarse.n_samples);
+    let Some(placed) = placed(displacement, &moved, mirrored, &thinned) else { return Ok(None) };
+    let Some(unexplained) = unexplained(displacement, &moved, mirrored) else { return Ok(None) };
+    Ok(Some(ComparedFit {
+        unexplained,
+        at_coarse_scale: at_coarse_scale(displacement, &thinned, &placed),
+        pose: pose_of(displacement, &moved, &candidate.pose),
+        moved,
+        deformation: OnceLock::new(),
+    }))
 }
 
 /// Unexplained residual with the vertices of the source at `moved`; `mirrored`: whether the pose mirrors the source.
@@ -225,12 +248,11 @@ pub(crate) fn unexplained(displacement: &FitContext<'_>, moved: &[Point3<f64>], 
     let placed = placed(displacement, moved, mirrored, &thinned)?;
     let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
     let found = point_misfits(&samples, &displacement.target.assignment_target(), &kernel);
-    let (mut of_source, of_target) = rayon::join(
+    let (of_source, of_target) = rayon::join(
         || patch_means(&thinned.points, &thinned.areas, &found.of_source),
         || patch_means(displacement.target.mesh.vertices(), &displacement.target.areas, &found.of_target),
     );
-    of_source.extend(of_target);
-    Some(Unexplained(of_source))
+    Some(Unexplained { of_source, of_target })
 }
 
 /// Means of `values` over patches of a surface with these points, weighted by area.
@@ -254,17 +276,24 @@ mod tests {
     #[test]
     fn differences_of_either_sign_are_no_evidence_and_differences_of_one_sign_are() {
         let mut number = numbers(3);
-        let mut drawn = |shift: f64| Unexplained((0..128).map(|_| number() + shift).collect());
+        let mut patches = |shift: f64| (0..PATCHES).map(|_| number() + shift).collect::<Vec<f64>>();
+        let mut drawn = |shift: f64| Unexplained { of_source: patches(shift), of_target: patches(shift) };
         let mut wrong = 0;
         for _ in 0..300 {
-            wrong += u32::from(drawn(0.0).evidence(&drawn(0.0)) != Preference::Equal);
+            wrong += u32::from(drawn(0.0).excess_over(&drawn(0.0)).abs() > DISTINCT_STARTS);
         }
         assert!(wrong <= 3, "{wrong} of 300");
-        assert_eq!(drawn(0.5).evidence(&drawn(0.0)), Preference::Second);
-        assert_eq!(drawn(0.0).evidence(&drawn(0.5)), Preference::First);
+        assert!(drawn(0.5).excess_over(&drawn(0.0)) > DISTINCT_STARTS);
+        assert!(drawn(0.0).excess_over(&drawn(0.5)) < -DISTINCT_STARTS);
         // A start has no excess over itself.
         let same = drawn(0.0);
-        assert_eq!(same.evidence(&same), Preference::Equal);
+        assert_eq!(same.excess_over(&same), 0.0);
+    }
+
+    #[test]
+    fn what_a_start_leaves_unexplained_counts_only_as_far_as_its_deformation_agrees() {
+        assert!(is_distinct(4.0, 3.0) && is_distinct(0.0, 6.0));
+        assert!(!is_distinct(4.5, -0.8) && !is_distinct(2.8, 0.7));
     }
 
     #[test]

@@ -10,12 +10,18 @@ pub(crate) fn median(values: &mut [f64]) -> f64 {
     *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
 
-/// Mean of `values` over its standard error.
-pub(crate) fn mean_over_standard_error(values: &[f64]) -> f64 {
+/// Mean of `values`, and its standard error.
+pub(crate) fn mean_and_standard_error(values: &[f64]) -> (f64, f64) {
     let n = values.len() as f64;
     let mean = values.iter().sum::<f64>() / n;
     let variance = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0);
-    mean / (variance / n).sqrt().max(f64::MIN_POSITIVE)
+    (mean, (variance / n).sqrt())
+}
+
+/// Mean of `values` over its standard error.
+pub(crate) fn mean_over_standard_error(values: &[f64]) -> f64 {
+    let (mean, error) = mean_and_standard_error(values);
+    mean / error.max(f64::MIN_POSITIVE)
 }
 
 /// Robust center and scale of measurements.

@@ -44,6 +44,7 @@ pub(crate) fn answered(
 fn document(scene: &Scene<'_>, starts: &[Start], compared: &ComparedPose, found: &DisplacementAnswer) -> PoseDocument {
     let (origin, pose) = match compared.origin {
         Origin::Pose(k) => (starts[k].origin, starts[k].pose),
+        Origin::Symmetric(k, pose) => (starts[k].origin, pose),
         Origin::Bent(pose) => (PoseOrigin::Form, pose),
     };
     PoseDocument {

@@ -3,12 +3,16 @@
 use super::base::{InitialMap, State};
 use super::coarse::{coarse_from, screening};
 use super::displacement::FitContext;
-use super::rivals::{Candidate, Chosen, compare_candidates};
+use super::rivals::{Candidate, Comparison, compare_candidates};
+use super::symmetries::missing_poses;
 use crate::error::MatchError;
 use crate::pair::assignment::displaced;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
 use crate::starts::start_pose::StartPose;
+use crate::surface::smooth::Subsample;
+use faer::Mat;
 use homolog_primitives::observe::checkpoint;
+use homolog_registration::alignment::AssignmentTarget;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use rayon::prelude::*;
 
@@ -54,25 +58,16 @@ pub(crate) fn choose_pose(
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
     let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
-    let n = displacement.options.coarse.n_samples;
-    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
-    let values = displacement.guides.below(displacement.functions.values(&source.points));
-    // One task per pose: a single step is too short to share between cores.
-    let found: Vec<Option<(f64, State)>> = followed
-        .par_iter()
-        .map(|&pose| {
-            checkpoint(displacement.observer)?;
-            let schedule = displacement.schedule(&displacement.options.coarse);
-            Ok(coarse_from(displacement, &InitialMap::rigid(poses[pose].pose), &source, &target, &values, schedule))
-        })
-        .collect::<Result<_, MatchError>>()?;
+    let coarse = CoarseStage::new(displacement);
+    let found = coarse.from_all(&followed.iter().map(|&k| poses[k].pose).collect::<Vec<_>>())?;
     let mut compared: Vec<(ScreenedPose, State)> = Vec::new();
     for (&index, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
         let pose = poses[index];
         let misfit = misfit + pose.excess;
         let end = displacement.same_place.map(|_| {
-            let moved = displaced(&state.base.moved(&source.points, &values), &state.field, &values);
+            let CoarseStage { source, values, .. } = &coarse;
+            let moved = displaced(&state.base.moved(&source.points, values), &state.field, values);
             let (weights, mirrored) = (Some(&source.counted[..]), pose.pose.is_reflection());
             absolute_orientation_of(&source.points, &moved, weights, mirrored).unwrap_or(pose.pose)
         });
@@ -107,7 +102,84 @@ pub(crate) fn choose_pose(
         .zip(states)
         .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state })
         .collect();
-    compare_candidates(displacement, candidates)
+    let mut comparison = compare_candidates(displacement, candidates)?;
+    if let Some(symmetric) = best_symmetric(&coarse, &comparison, poses)? {
+        // Starts that are no worse than the winner are compared anew, after the symmetric pose.
+        let Comparison { mut candidates, .. } = comparison;
+        for other in &mut candidates {
+            if matches!(other.compared.finer, ComparisonOutcome::AsGood | ComparisonOutcome::Better) {
+                other.compared.finer = ComparisonOutcome::Undecided;
+            }
+        }
+        candidates.insert(1, symmetric);
+        comparison = compare_candidates(displacement, candidates)?;
+    }
+    let compared = comparison.candidates.iter().map(|candidate| candidate.compared).collect();
+    let winner = comparison.candidates.into_iter().next();
+    Ok(winner.map(|Candidate { pose, state, .. }| Chosen { pose, state, compared }))
+}
+
+/// The best pose that an approximate symmetry of the surface leads to and that is no start; `None` if it has a higher
+/// misfit than the winner after the coarse stage, or if there is none.
+fn best_symmetric(
+    coarse: &CoarseStage<'_>,
+    comparison: &Comparison,
+    poses: &[StartPose],
+) -> Result<Option<Candidate>, MatchError> {
+    let Some(winner) = comparison.candidates.first() else { return Ok(None) };
+    let Origin::Pose(of_winner) = winner.compared.origin else { return Ok(None) };
+    let displacement = coarse.displacement;
+    let are_same = |a: &RigidTransform, b: &RigidTransform| displacement.are_same(a, b, SAME_POSE_ANGLE);
+    let missing = missing_poses(&comparison.as_good, are_same);
+    let found = coarse.from_all(&missing)?;
+    let found = missing.into_iter().zip(found).filter_map(|(pose, found)| {
+        let (misfit, state) = found?;
+        let (origin, mirrored) = (Origin::Symmetric(of_winner, pose), pose.is_reflection());
+        let misfit = misfit + poses[of_winner].excess;
+        let compared = ComparedPose { origin, mirrored, misfit, finer: ComparisonOutcome::Undecided };
+        (misfit < winner.compared.misfit).then_some(Candidate { compared, pose, state })
+    });
+    Ok(found.min_by(|a, b| a.compared.misfit.total_cmp(&b.compared.misfit)))
+}
+
+/// The coarse stage from any pose.
+struct CoarseStage<'a> {
+    displacement: &'a FitContext<'a>,
+    source: Subsample,
+    target: AssignmentTarget,
+    /// The functions of the field at the samples of the source.
+    values: Mat<f64>,
+}
+
+impl<'a> CoarseStage<'a> {
+    fn new(displacement: &'a FitContext<'a>) -> Self {
+        let n = displacement.options.coarse.n_samples;
+        let source = displacement.source.thinned(n);
+        let target = displacement.target.thinned(n).assignment_target();
+        let values = displacement.guides.below(displacement.functions.values(&source.points));
+        CoarseStage { displacement, source, target, values }
+    }
+
+    /// The misfit and the field from each of `poses`; `None` where a number is not finite. One task per pose: a single
+    /// step is too short to share between cores.
+    fn from_all(&self, poses: &[RigidTransform]) -> Result<Vec<Option<(f64, State)>>, MatchError> {
+        let displacement = self.displacement;
+        let from = |pose: &RigidTransform| {
+            checkpoint(displacement.observer)?;
+            let (base, schedule) = (InitialMap::rigid(*pose), displacement.schedule(&displacement.options.coarse));
+            Ok(coarse_from(displacement, &base, &self.source, &self.target, &self.values, schedule))
+        };
+        poses.par_iter().map(from).collect()
+    }
+}
+
+/// The pose from which the displacement continues.
+pub(crate) struct Chosen {
+    pub pose: RigidTransform,
+    /// The field over it after the coarse stage.
+    pub state: State,
+    /// The starts that were compared, the chosen one first.
+    pub compared: Vec<ComparedPose>,
 }
 
 /// Indices of the poses to follow, by misfit after a few steps on few vertices: the best of each handedness, and for a

@@ -28,6 +28,7 @@ mod schedule;
 mod settings;
 mod straightened;
 mod strain;
+mod symmetries;
 mod trace;
 mod track;
 mod unbending;

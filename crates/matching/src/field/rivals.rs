@@ -79,17 +79,17 @@ pub(crate) struct Candidate {
     pub state: State,
 }
 
-/// The pose from which the displacement continues.
-pub(crate) struct Chosen {
-    pub pose: RigidTransform,
-    /// The field over it after the coarse stage.
-    pub state: State,
-    /// The starts that were compared, the chosen one first.
-    pub compared: Vec<ComparedPose>,
+/// Candidates after their comparison.
+pub(crate) struct Comparison {
+    /// The candidates, the winner first.
+    pub candidates: Vec<Candidate>,
+    /// Rigid parts of the ends of the winner and of those that explain both surfaces about as well, of either
+    /// handedness; empty if no other pose of the winner's handedness does.
+    pub as_good: Vec<RigidTransform>,
 }
 
 /// Compares the first of `candidates` with the others: another start of its handedness may explain as much or more, and
-/// a start of the other handedness may explain more. The winner comes first. `None` for an empty list.
+/// a start of the other handedness may explain more.
 ///
 /// Cost: a fine stage for each start that the coarse stage does not rule out.
 ///
@@ -98,21 +98,29 @@ pub(crate) struct Chosen {
 pub(crate) fn compare_candidates(
     displacement: &FitContext<'_>,
     mut candidates: Vec<Candidate>,
-) -> Result<Option<Chosen>, MatchError> {
+) -> Result<Comparison, MatchError> {
     let (chosen, fits) = chosen_of(displacement, &mut candidates)?;
+    let mut as_good = Vec::new();
     if let Some(own) = fits.get(chosen).and_then(Option::as_ref) {
+        let mut others = Vec::new();
         for k in (0..candidates.len()).filter(|&k| k != chosen) {
             if let Some(found) = &fits[k] {
                 candidates[k].compared.finer = own.compared_with(found, displacement);
+                others.push((candidates[k].compared.finer, found));
             }
         }
+        if others.iter().any(|(finer, _)| *finer == ComparisonOutcome::AsGood) {
+            let is_as_good = |(finer, found): &&(ComparisonOutcome, &ComparedFit)| {
+                *finer != ComparisonOutcome::Same && !own.is_distinct_from(found, displacement)
+            };
+            as_good.push(own.pose);
+            as_good.extend(others.iter().filter(is_as_good).map(|(_, found)| found.pose));
+        }
     }
-    if candidates.is_empty() {
-        return Ok(None);
+    if !candidates.is_empty() {
+        candidates[..=chosen].rotate_right(1);
     }
-    candidates[..=chosen].rotate_right(1);
-    let compared = candidates.iter().map(|candidate| candidate.compared).collect();
-    Ok(candidates.into_iter().next().map(|Candidate { pose, state, .. }| Chosen { pose, state, compared }))
+    Ok(Comparison { candidates, as_good })
 }
 
 /// The index of the candidate that explains most, and where the candidates end that it has to be compared with; the

@@ -27,7 +27,7 @@
 //! from the tangent plane).
 
 use super::agreement::agreement;
-use super::choice::choose_pose;
+use super::choice::{Chosen, choose_pose};
 use super::deformed::Deformed;
 use super::displacement::FitContext;
 use super::fine::fine;
@@ -39,7 +39,7 @@ use super::isometry::{OverForm, bent_starts, best_of_lowest, iterate_while_impro
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{ReverseFit, reverse_fit};
-use super::rivals::{Chosen, PREFERRED, unexplained};
+use super::rivals::{PREFERRED, unexplained};
 use super::straightened::unstraighten;
 use super::trace::FitTrace;
 use crate::error::MatchError;

@@ -8,6 +8,8 @@ use homolog_registration::RigidTransform;
 pub(crate) enum Origin {
     /// A rigid pose, by its index among those that were compared.
     Pose(usize),
+    /// A pose related to that of this index by an approximate symmetry of the surface.
+    Symmetric(usize, RigidTransform),
     /// A start that bends the source, given as its rigid part: a correspondence of near isometries, or a pose of
     /// straightened surfaces.
     Bent(RigidTransform),
@@ -18,7 +20,7 @@ impl Origin {
     pub(crate) fn rigid(&self, poses: &[StartPose]) -> RigidTransform {
         match self {
             Origin::Pose(k) => poses[*k].pose,
-            Origin::Bent(pose) => *pose,
+            Origin::Symmetric(_, pose) | Origin::Bent(pose) => *pose,
         }
     }
 
@@ -26,6 +28,7 @@ impl Origin {
     pub(crate) fn inverse(self) -> Origin {
         match self {
             Origin::Pose(k) => Origin::Pose(k),
+            Origin::Symmetric(k, pose) => Origin::Symmetric(k, pose.inverse()),
             Origin::Bent(pose) => Origin::Bent(pose.inverse()),
         }
     }

@@ -16,6 +16,9 @@ use homolog_study::settings::{
 };
 use homolog_study::storage::Inputs;
 use nalgebra::Point3;
+use rand_core::Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::SeedableRng;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::io;
@@ -92,15 +95,19 @@ impl Bench {
     }
 
     pub(crate) fn n_vertices(&self) -> Result<usize, Box<dyn Error>> {
-        let (_, matched, _) = self.matched(&self.original(&self.chosen(self.ids.len())), Correspondence::Pairs)?;
+        let (_, matched, _) = self.matched(&self.original(&self.chosen(self.ids.len(), 0)), Correspondence::Pairs)?;
         Ok(matched.making.template.mesh.n_vertices())
     }
 
-    /// `n` subjects, spread over the group in pairs of which the first is deformed.
-    pub(crate) fn chosen(&self, n: usize) -> Vec<usize> {
+    /// `n` subjects, spread over the group in pairs of which the first is deformed. Draw 0 keeps the order of the files; in all
+    /// others a fair coin decides in each pair which comes first.
+    pub(crate) fn chosen(&self, n: usize, draw: u64) -> Vec<usize> {
         let all = self.ids.len() / 2;
         let pairs = (n / 2).min(all);
-        (0..pairs).map(|k| k * all / pairs.max(1)).flat_map(|pair| [2 * pair, 2 * pair + 1]).collect()
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(draw);
+        let mut is_swapped = || draw > 0 && random.next_u64() >> 63 == 1;
+        let ordered = (0..pairs).map(|k| 2 * (k * all / pairs.max(1)));
+        ordered.flat_map(|k| if is_swapped() { [k + 1, k] } else { [k, k + 1] }).collect()
     }
 
     /// Files of these subjects as they are.
@@ -113,7 +120,7 @@ impl Bench {
         let folder = self.out.join(format!("deformed-{}-{}-{}", plant.radius_mm, plant.height_mm, plant.share));
         std::fs::create_dir_all(&folder)?;
         let mut files = self.original(of);
-        for (file, &k) in files.iter_mut().zip(of).filter(|(_, k)| k.is_multiple_of(2)) {
+        for (file, &k) in files.iter_mut().zip(of).step_by(2) {
             *file = folder.join(format!("{}.ply", self.ids[k]));
             let moved = self.meshes[k].with_vertices(plant.planted(&self.meshes[k]));
             write_if_new(file, &moved.map_err(io::Error::other)?)?;
@@ -163,9 +170,9 @@ impl Bench {
         Ok((study, matched, folder))
     }
 
-    /// What a study of `n` subjects finds of a deformation.
-    pub(crate) fn found(&self, plant: &Plant, n: usize, maps: Maps) -> Result<Findings, Box<dyn Error>> {
-        let chosen = self.chosen(n);
+    /// What a study of `n` subjects finds of a deformation, in one draw of those that are deformed.
+    pub(crate) fn found(&self, plant: &Plant, (n, draw): (usize, u64), maps: Maps) -> Result<Findings, Box<dyn Error>> {
+        let chosen = self.chosen(n, draw);
         let files = self.deformed(plant, &chosen)?;
         match maps {
             Maps::Matched(how) => {
@@ -208,7 +215,7 @@ impl Bench {
                 let row = task.target.ok_or("a match without a subject")?;
                 let Record { facts, points } = records.get(&known.keys[row])?.ok_or("a match is missing")?;
                 let mut map: Vec<Point3<f64>> = points.iter().map(|p| Point3::from(p.map(f64::from))).collect();
-                if chosen[row].is_multiple_of(2) {
+                if row.is_multiple_of(2) {
                     map = plant.carried(&self.meshes[chosen[row]], &map);
                 }
                 let points = map.iter().map(|p| <[f64; 3]>::from(p.coords).map(|x| x as f32)).collect();

@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for plant in &plan.plants {
         for &n in &plan.sizes {
             for maps in MAPS {
-                let line = row(plant, n, maps, &bench.found(plant, n, maps)?)?;
+                let line = row(plant, n, maps, &bench.found(plant, (n, 0), maps)?)?;
                 println!("{line}");
                 text.push_str(&line);
                 text.push('\n');

@@ -14,7 +14,7 @@ pub(crate) fn row(
     splits: u64,
     permutations: usize,
 ) -> Result<String, Box<dyn Error>> {
-    let (study, matched, folder) = bench.matched(&bench.original(&bench.chosen(usize::MAX)), how)?;
+    let (study, matched, folder) = bench.matched(&bench.original(&bench.chosen(usize::MAX, 0)), how)?;
     let found = find(&study, &matched, &folder, &[], &Quiet)?;
     let subjects = of_members(&found, &folder, Measure::NormalDisplacement)?;
     let (graph, areas) = (found.mean.edge_graph(), homolog_study::align::vertex_areas(&found.mean));

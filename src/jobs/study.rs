@@ -264,6 +264,7 @@ impl StudyDefinition {
             has_volumes: inputs().any(is_volume),
             joint: asked.correspondence.as_deref() == Some("joint"),
             own_templates: asked.visits.as_deref() == Some("own_template"),
+            rivals: asked.rivals.as_deref() != Some("leave_out"),
         }
     }
 }
@@ -599,6 +600,9 @@ mod tests {
         let size = definition.size();
         assert_eq!((size.subjects, size.vertices, size.faces, size.cells), (10, 109, 218, 30), "the largest");
         assert_eq!((size.columns, size.contrasts, size.ring, size.file_bytes), (1 + 2 + 1 + 1, 3, 4, 109));
+        assert!(size.rivals, "any subject may turn out to be ambiguous");
+        definition.questions.rivals = Some("leave_out".to_owned());
+        assert!(!definition.size().rivals);
         definition.questions.start = Some("s2".to_owned());
         assert_eq!(definition.size().vertices, 102, "of the subject that it is made from");
         definition.template =

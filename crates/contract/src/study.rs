@@ -32,4 +32,7 @@ pub struct StudySize {
     /// Whether persons with several visits have templates of their own.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
     pub own_templates: bool,
+    /// Whether subjects whose pose is ambiguous are also matched in their other poses.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
+    pub rivals: bool,
 }

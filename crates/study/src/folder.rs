@@ -4,7 +4,7 @@
 
 use crate::align::Shapes;
 use crate::error::StudyError;
-use crate::plan::{Records, Round, Template, TemplateHistory, hash};
+use crate::plan::{PoseEvidence, Records, Round, Template, TemplateHistory, hash};
 use crate::record::{Record, read_points};
 use crate::storage::{Inputs, Storage};
 use homolog_contract::parameters::LabelChoice;
@@ -13,7 +13,7 @@ use homolog_formats::csv_cell::{text_cell, text_of_cell};
 use homolog_formats::ply::read_ply;
 use parking_lot::Mutex;
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs;
 use std::io;
 use std::ops::Range;
@@ -29,6 +29,8 @@ pub struct Folder {
     place: Storage,
     /// Keys of records that were read completely and are intact.
     sound: Mutex<BTreeSet<String>>,
+    /// What records say about poses, by their keys.
+    poses: Mutex<HashMap<String, PoseEvidence>>,
 }
 
 /// The kept template, apart from its surface.
@@ -87,12 +89,12 @@ impl Folder {
         }
         let place = Storage::Disk(path.to_owned(), AtomicU64::new(0));
         place.sweep(&PARTS).map_err(|(part, error)| failed("read", &part)(error))?;
-        Ok(Folder { place, sound: Mutex::default() })
+        Ok(Folder { place, sound: Mutex::default(), poses: Mutex::default() })
     }
 
     /// A folder in memory with these files, by name, for subjects whose files are elsewhere.
     pub fn in_memory(files: BTreeMap<String, Vec<u8>>, inputs: Box<dyn Inputs>) -> Self {
-        Folder { place: Storage::Memory(Mutex::new(files), inputs), sound: Mutex::default() }
+        Folder { place: Storage::Memory(Mutex::new(files), inputs), sound: Mutex::default(), poses: Mutex::default() }
     }
 
     /// The files of a folder in memory, by name; empty for a folder on disk.
@@ -233,6 +235,17 @@ impl Records for Folder {
                 false
             }
         }
+    }
+
+    /// Reads each record once.
+    fn pose(&self, key: &str, read: &dyn Fn(&Record) -> PoseEvidence) -> Result<Option<PoseEvidence>, StudyError> {
+        if let Some(known) = self.poses.lock().get(key) {
+            return Ok(Some(known.clone()));
+        }
+        let Some(record) = self.get(key)? else { return Ok(None) };
+        let said = read(&record);
+        self.poses.lock().insert(key.to_owned(), said.clone());
+        Ok(Some(said))
     }
 }
 

@@ -6,6 +6,8 @@
 
 use crate::joint::{JointSettings, SURFACES_BYTES};
 use crate::model::{COMPLETE, many};
+use crate::plan::{MOST_RIVALS, rivals_at_a_time};
+use crate::rivals::GroupSettings;
 use crate::settings::{Analysis, Measure};
 use homolog_contract::study::StudySize;
 
@@ -65,7 +67,9 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     // a person with a template has up to three matches and a map besides, and a joint one.
     let joint_maps = if size.joint { n } else { 0 };
     let of_visits = if size.own_templates { times(&[4, n]) } else { 0 };
-    let records = times(&[2, sum(&[n, joint_maps, of_visits, times(&[4, size.ring])]), 12 * v + 1024]);
+    // Any subject may be ambiguous, and has then all other poses, and the map that the group decided on.
+    let of_rivals = if size.rivals { times(&[1 + MOST_RIVALS as u64, n]) } else { 0 };
+    let records = times(&[2, sum(&[n, joint_maps, of_visits, of_rivals, times(&[4, size.ring])]), 12 * v + 1024]);
     let table = sum(&[times(&[n, SUBJECT]), times(&[size.cells, CELL])]);
     // The template as read, as matched, as written, and in the findings; the mean; weights, areas, normals, the graph.
     let surfaces = times(&[12, surface]) + 300 * v;
@@ -73,6 +77,7 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let of_threads = times(&[t, SCRATCH + 120 * v + 3 * surface + 160 * f + times(&[6, volume_bytes(size)])]);
     // The surfaces that templates of persons are made from, and such templates of a part of a step, with their files.
     let persons = if size.own_templates { times(&[n, 2, surface + 40 * v]) } else { 0 };
+    let (rivals, turned) = if size.rivals { (rival_bytes(size), turned_bytes(size)) } else { (0, 0) };
     let held = sum(&[records, table, surfaces, persons]);
 
     let aligned = times(&[ALIGNED.min(n), 60 * v]);
@@ -100,14 +105,14 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     let files = sum(&[
         times(&[n, written + 3 * array + if size.has_volumes { 2 * size.file_bytes } else { 0 }]),
         times(&[WRITTEN_SURFACES, written + array]),
-        times(&[maps, written + 11 * array + MAP]),
+        times(&[maps, written + 12 * array + MAP]),
         times(&[n, SUBJECT]),
     ]);
-    let writing = sum(&[files, page, kept, of_modes, times(&[t, SCRATCH + 2 * written + 11 * array])]);
+    let writing = sum(&[files, page, kept, of_modes, times(&[t, SCRATCH + 2 * written + 12 * array])]);
     // The archive has every file, and the records.
     let archive = sum(&[times(&[2, files]), page / PAGE_COPIES, records]);
     // Subjects are read before anything is written.
-    let computing = of_threads + model.max(statistics).max(joint);
+    let computing = of_threads + model.max(statistics).max(joint).max(rivals).max(turned);
     sum(&[held, computing.max(writing).max(archive)])
 }
 
@@ -122,6 +127,28 @@ fn many_bytes(size: &StudySize, t: u64) -> u64 {
     let scores = times(&[8, n, r, 5 + t]);
     let inner = times(&[8, r, r, 6 + 6 * t]);
     [columns, directions, scores, inner].into_iter().fold(0, u64::saturating_add)
+}
+
+/// Memory of what decides on poses besides the records, bytes.
+fn rival_bytes(size: &StudySize) -> u64 {
+    let StudySize { subjects: n, vertices: v, .. } = *size;
+    let times = |parts: &[u64]| parts.iter().copied().fold(1, u64::saturating_mul);
+    let (settings, candidates) = (GroupSettings::default(), 1 + MOST_RIVALS as u64);
+    // The shapes of all candidates, the maps of reliable subjects, and the potentials and messages of a part.
+    let shapes = times(&[n, candidates, 8 * settings.patches as u64 + 64]);
+    let observed = times(&[n.min(settings.most_observed as u64), 40 * v]);
+    let together = n.min(settings.together as u64);
+    let potentials = times(&[together, together, candidates * (candidates + 4), 8]);
+    [shapes, observed, potentials].into_iter().fold(0, u64::saturating_add)
+}
+
+/// Memory of the surfaces of a step to rival poses, bytes: each as it was turned and as a file, as large as the template or as the
+/// file of a subject.
+fn turned_bytes(size: &StudySize) -> u64 {
+    let StudySize { subjects: n, vertices: v, faces: f, .. } = *size;
+    let tasks = (rivals_at_a_time(n as usize) as u64).min(n.saturating_mul(MOST_RIVALS as u64));
+    let of_file = if size.has_volumes { 0 } else { size.file_bytes };
+    tasks.saturating_mul((48 * v + 26 * f + 1024).max(of_file.saturating_mul(3)))
 }
 
 /// Memory of joint maps on `t` threads besides the records, bytes.

@@ -8,7 +8,8 @@
 mod rivals;
 mod visits;
 
-pub use rivals::{RIVAL_PARAMETERS, Rival, SubjectRivals};
+pub(crate) use rivals::{MOST as MOST_RIVALS, at_a_time as rivals_at_a_time};
+pub use rivals::{PoseEvidence, RIVAL_PARAMETERS, Rival, SubjectRivals};
 pub use visits::{OwnMaps, Person};
 
 use crate::align::{WatchedShapes, align, fit_onto};
@@ -194,6 +195,14 @@ pub trait Records: Sync {
     fn get(&self, key: &str) -> Result<Option<Record>, StudyError>;
     /// Whether a record exists.
     fn has(&self, key: &str) -> bool;
+    /// What the record with a key says about the pose of its subject, by `read`, which depends on the key alone; `None` without
+    /// a record. A planner asks before every step, so storage may keep the answer.
+    ///
+    /// # Errors
+    /// [`StudyError`] if the record exists and cannot be read.
+    fn pose(&self, key: &str, read: &dyn Fn(&Record) -> PoseEvidence) -> Result<Option<PoseEvidence>, StudyError> {
+        Ok(self.get(key)?.as_ref().map(read))
+    }
 }
 
 /// A study: its subjects, its settings, and the first surface of the template.

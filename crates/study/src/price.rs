@@ -9,6 +9,8 @@
 use crate::joint::JointSettings;
 use crate::memory::{measures, permutations};
 use crate::model::{COMPLETE, many, n_folds};
+use crate::plan::MOST_RIVALS;
+use crate::rivals::GroupSettings;
 use homolog_contract::parameters::{
     Algorithm, ClampingMode, CurvatureEstimator, DisplacementMode, FeatureKind, FeatureParameters, MatchParameters,
     Refinement, Update,
@@ -213,6 +215,14 @@ const OF_VOLUME_BYTE: f64 = 1e-7;
 /// closest points.
 const OF_JOINT_VERTEX: f64 = 3e-6;
 
+/// Seconds for each vertex of each visit of a person with a template of its own: surfaces that are read, two means, and the map that
+/// is composed.
+const OF_VISIT_VERTEX: f64 = 6e-6;
+/// Seconds for each vertex of each map in a rival pose: the surface that is turned back, the record, its shape.
+const OF_RIVAL_VERTEX: f64 = 1e-6;
+/// Seconds for each pair of subjects that are decided together: distances of all candidates, and their messages.
+const OF_RIVAL_PAIR: f64 = 5e-5;
+
 /// The price of the largest step of a study.
 pub fn step_price(size: &StudySize) -> Price {
     let (n, v) = (size.subjects as f64, size.vertices as f64);
@@ -231,7 +241,14 @@ pub fn step_price(size: &StudySize) -> Price {
     let in_model = n.min(joint.most_in_model as f64);
     let models =
         rounds * (joint.folds as f64 * OF_DECOMPOSITION * in_model.powi(3) + OF_PAIR_VERTEX * in_model * in_model * v);
+    let visits = if size.own_templates { n * v } else { 0.0 };
+    // Any subject may be ambiguous, with all other poses.
+    let (ambiguous, group) = (if size.rivals { n } else { 0.0 }, GroupSettings::default());
+    let decided = ambiguous * (ambiguous.min(group.together as f64) + ambiguous.min(group.most_observed as f64));
+    let rivals = OF_RIVAL_VERTEX * ambiguous * v * MOST_RIVALS as f64 + OF_RIVAL_PAIR * decided;
     Price::of(&[
+        (OF_VISIT_VERTEX * visits, "visits group_template, or a smaller template"),
+        (rivals, "rivals leave_out, or a smaller template"),
         (rounds * OF_JOINT_VERTEX * n * v + models, "correspondence pairs, or a smaller template"),
         (
             OF_STEP + n * (OF_SUBJECT + OF_SHAPE_VERTEX * v) + OF_VOLUME_BYTE * volumes,

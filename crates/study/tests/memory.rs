@@ -8,21 +8,20 @@ mod making;
 
 use counting::{HELD, MOST};
 use homolog_study::memory::step_bytes;
-use homolog_study::settings::Correspondence;
-use making::{Made, made, made_with};
+use making::{Extra, Made, made, made_with};
 use std::sync::atomic::Ordering;
 
 const THREADS: usize = 2;
 
 /// What the step of a study takes at most, by the estimate and by the allocator, bytes.
-fn step(study: &Made) -> (u64, u64) {
+fn step<T: Send>(study: &Made, work: impl FnOnce(&Made) -> T + Send) -> (u64, u64) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build().unwrap();
     let records: usize = study.files.values().map(Vec::len).sum();
     let before = HELD.load(Ordering::Relaxed) - records;
     MOST.store(HELD.load(Ordering::Relaxed), Ordering::Relaxed);
-    let archive = pool.install(|| study.step());
+    let made = pool.install(|| work(study));
     let most = MOST.load(Ordering::Relaxed) - before;
-    drop(archive);
+    drop(made);
     (step_bytes(&study.size, THREADS), most as u64)
 }
 
@@ -43,7 +42,7 @@ fn no_step_of_a_study_takes_more_than_it_is_predicted_to() {
         (1_500, 2, 1, 0, 2),
         (60, 3, 8, 10, 64),
     ] {
-        let (predicted, counted) = step(&made(subjects, levels, contrasts, covariates, permutations));
+        let (predicted, counted) = step(&made(subjects, levels, contrasts, covariates, permutations), Made::step);
         let share = predicted as f64 / counted as f64;
         is_fine &= share >= 1.0;
         // Where arrays take most, and not names and facts of each subject, the estimate is not far too high either. Of a large
@@ -54,13 +53,29 @@ fn no_step_of_a_study_takes_more_than_it_is_predicted_to() {
              counted {counted}, {share:.2}"
         ));
     }
-    for (subjects, levels) in [(12, 4), (60, 3)] {
-        let (predicted, counted) = step(&made_with(Correspondence::Joint, subjects, levels, 1, 0, 2));
-        let share = predicted as f64 / counted as f64;
-        is_fine &= share >= 1.0 && (share <= 2.0 || predicted < 32 << 20);
-        lines.push(format!(
-            "{subjects} subjects, level {levels}, joint: predicted {predicted}, counted {counted}, {share:.2}"
-        ));
+    for (extra, subjects, levels) in [
+        (Extra::Joint, 12, 4),
+        (Extra::Joint, 60, 3),
+        (Extra::Rivals, 12, 4),
+        (Extra::Rivals, 60, 3),
+        (Extra::Rivals, 300, 2),
+        (Extra::OwnTemplates, 12, 4),
+        (Extra::OwnTemplates, 60, 3),
+    ] {
+        let mut study = made_with(extra, subjects, levels, 1, 0, 2);
+        let mut counts = vec![("last step", step(&study, Made::step))];
+        if extra == Extra::Rivals {
+            study.rivals.iter().for_each(|name| drop(study.files.remove(name)));
+            counts.push(("step to rival poses", step(&study, Made::plan)));
+        }
+        for (what, (predicted, counted)) in counts {
+            let share = predicted as f64 / counted as f64;
+            // A step to matches takes less than the last one, which is predicted.
+            is_fine &= share >= 1.0 && (share <= 2.0 || predicted < 32 << 20 || what != "last step");
+            lines.push(format!(
+                "{subjects} subjects, level {levels}, {extra:?}, {what}: predicted {predicted}, counted {counted}, {share:.2}"
+            ));
+        }
     }
     println!("{}", lines.join("\n"));
     assert!(is_fine, "\n{}", lines.join("\n"));

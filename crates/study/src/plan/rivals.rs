@@ -12,7 +12,7 @@ use crate::align::{area_weights, fit_onto, points};
 use crate::cohort::Role;
 use crate::error::StudyError;
 use crate::plan::{Purpose, Records, Step, Study, Task, Template};
-use crate::record::{Facts, hash_of_texts};
+use crate::record::{Facts, Record, hash_of_texts};
 use crate::rotation::{angle, of_rows, rows};
 use crate::settings::{FEWEST_RELIABLE, Rivals};
 use homolog_contract::parameters::{
@@ -21,16 +21,23 @@ use homolog_contract::parameters::{
 use homolog_contract::result::UnreliableReason;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::SAME_POSE_ANGLE;
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Point3};
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashSet};
 
 /// Version of these matches in the names of their records.
 const VERSION: &str = "rival 1";
 /// Most rival poses of a subject; a box and an ellipsoid have three.
-const MOST: usize = 4;
-/// Matches of a step, whose surfaces are in memory at a time.
+pub(crate) const MOST: usize = 4;
+/// Matches of a step, whose surfaces are in memory at a time: at least so many, and this share of the subjects. Every step of the
+/// service opens the study anew, and the share bounds how often.
 const AT_A_TIME: usize = 64;
+const SHARE_AT_A_TIME: usize = 32;
+
+/// Most matches in rival poses of a step of a study of `n` subjects.
+pub(crate) fn at_a_time(n: usize) -> usize {
+    AT_A_TIME.max(n / SHARE_AT_A_TIME)
+}
 
 /// Where the parameters of a match in a rival pose differ from those of the study: JSON pointers and values.
 pub const RIVAL_PARAMETERS: [(&str, &str); 4] = [
@@ -60,11 +67,37 @@ pub struct SubjectRivals {
     pub keys: Vec<String>,
 }
 
-/// A subject whose pose is ambiguous: the rotation of its match, and those of the rivals that this names.
-struct Ambiguous {
-    subject: usize,
+/// What the record of a match of the template says about the pose of its subject.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PoseEvidence {
+    /// Whether it is a map that is not known to be unreliable.
+    is_reliable: bool,
+    /// The open pose, if only the pose is in doubt.
+    open: Option<OpenPose>,
+}
+
+/// A pose that is ambiguous: the rotation of the match, and those of the rivals that this names.
+#[derive(Debug, Clone, PartialEq)]
+struct OpenPose {
     own: Matrix3<f64>,
     rivals: Vec<Matrix3<f64>>,
+}
+
+impl PoseEvidence {
+    /// What a record of a match of a surface with these vertices and area weights says.
+    fn of(record: &Record, vertices: &[Point3<f64>], weights: &[f64]) -> Self {
+        if !record.is_map_of(vertices.len()) {
+            return PoseEvidence { is_reliable: false, open: None };
+        }
+        let fitted = is_ambiguous(&record.facts)
+            .then(|| fit_onto(vertices, &points(&record.points), weights, false).ok())
+            .flatten();
+        let open = fitted.map(|fitted| OpenPose {
+            own: fitted.rotation,
+            rivals: record.facts.rivals.iter().take(MOST).map(of_rows).collect(),
+        });
+        PoseEvidence { is_reliable: record.facts.reliable != Some(false), open }
+    }
 }
 
 /// Missing matches in rival poses, or all of them.
@@ -112,9 +145,9 @@ fn are_same(a: &Matrix3<f64>, b: &Matrix3<f64>) -> bool {
 
 /// The approximate symmetries of the template that the rivals of subjects show, the most frequent first, then products of two.
 /// `ambiguous` in an order that does not depend on that of the cohort.
-fn symmetries(ambiguous: &[&Ambiguous]) -> Vec<Matrix3<f64>> {
+fn symmetries(ambiguous: &[&OpenPose]) -> Vec<Matrix3<f64>> {
     let mut counted = Vec::new();
-    for Ambiguous { own, rivals, .. } in ambiguous {
+    for OpenPose { own, rivals } in ambiguous {
         rivals.iter().for_each(|rival| count(own.transpose() * rival, &mut counted));
     }
     counted.sort_by_key(|(n, _)| std::cmp::Reverse(*n));
@@ -131,7 +164,7 @@ fn symmetries(ambiguous: &[&Ambiguous]) -> Vec<Matrix3<f64>> {
 }
 
 /// The rival poses of a subject: those of its match, and that of its match after each of the symmetries.
-fn poses(of: &Ambiguous, symmetries: &[Matrix3<f64>]) -> Vec<[[f64; 3]; 3]> {
+fn poses(of: &OpenPose, symmetries: &[Matrix3<f64>]) -> Vec<[[f64; 3]; 3]> {
     let mut all = of.rivals.clone();
     for symmetry in symmetries {
         let pose = of.own * symmetry;
@@ -158,7 +191,7 @@ impl Study {
     /// Errors of reading records; [`StudyError::Interrupted`].
     ///
     /// # Cost
-    /// Reads the record of every subject.
+    /// Reads the record of every subject once, whatever the number of steps.
     pub(crate) fn rivals(
         &self,
         template: &Template,
@@ -170,39 +203,31 @@ impl Study {
             return Ok(RivalsState::Ready(Vec::new()));
         }
         let (vertices, weights) = (template.mesh.vertices(), area_weights(&template.mesh));
-        let found: Vec<(bool, Option<Ambiguous>)> = keys
+        let read = |record: &Record| PoseEvidence::of(record, vertices, &weights);
+        let found: Vec<Option<PoseEvidence>> = keys
             .par_iter()
             .enumerate()
             .map(|(subject, key)| {
                 checkpoint(observer)?;
-                let record = if composed.contains(&subject) { None } else { records.get(key)? };
-                let Some(record) = record.filter(|record| record.is_map_of(vertices.len())) else {
-                    return Ok((false, None));
-                };
-                let is_of_model = self.cohort.subjects[subject].role == Role::Model;
-                let is_observed = is_of_model && record.facts.reliable != Some(false);
-                let is_open = is_ambiguous(&record.facts);
-                let fitted =
-                    is_open.then(|| fit_onto(vertices, &points(&record.points), &weights, false).ok()).flatten();
-                let ambiguous = fitted.map(|fitted| Ambiguous {
-                    subject,
-                    own: fitted.rotation,
-                    rivals: record.facts.rivals.iter().take(MOST).map(of_rows).collect(),
-                });
-                Ok((is_observed, ambiguous))
+                if composed.contains(&subject) { Ok(None) } else { records.pose(key, &read) }
             })
             .collect::<Result<_, StudyError>>()?;
-        let reliable: BTreeSet<&String> =
-            keys.iter().zip(&found).filter(|(_, (is, _))| *is).map(|(key, _)| key).collect();
+        let is_observed = |subject: &usize| {
+            let is_of_model = self.cohort.subjects[*subject].role == Role::Model;
+            is_of_model && found[*subject].as_ref().is_some_and(|said| said.is_reliable)
+        };
+        let reliable: BTreeSet<&String> = (0..keys.len()).filter(is_observed).map(|subject| &keys[subject]).collect();
         if reliable.len() < FEWEST_RELIABLE {
             return Ok(RivalsState::Ready(Vec::new()));
         }
-        let mut by_key: Vec<&Ambiguous> = found.iter().filter_map(|(_, ambiguous)| ambiguous.as_ref()).collect();
-        by_key.sort_by_key(|of| &keys[of.subject]);
+        let open = || found.iter().enumerate().filter_map(|(k, said)| Some((k, said.as_ref()?.open.as_ref()?)));
+        let mut by_key: Vec<(usize, &OpenPose)> = open().collect();
+        by_key.sort_by_key(|(subject, _)| &keys[*subject]);
+        let by_key: Vec<&OpenPose> = by_key.into_iter().map(|(_, pose)| pose).collect();
         let symmetries = symmetries(&by_key);
         let (mut tasks, mut all) = (Vec::new(), Vec::new());
-        for of in found.iter().filter_map(|(_, ambiguous)| ambiguous.as_ref()) {
-            let (subject, rotations) = (of.subject, poses(of, &symmetries));
+        for (subject, pose) in open() {
+            let rotations = poses(pose, &symmetries);
             let of: Vec<String> = rotations.iter().map(|rotation| key_of(&keys[subject], rotation)).collect();
             tasks.extend(of.iter().zip(&rotations).map(|(key, &rotation)| Task {
                 key: key.clone(),
@@ -214,7 +239,7 @@ impl Study {
         match Step::missing(Purpose::Rivals, template, tasks, Vec::new(), records) {
             None => Ok(RivalsState::Ready(all)),
             Some(Step::Match { purpose, template, mut tasks, finished, own }) => {
-                tasks.truncate(AT_A_TIME);
+                tasks.truncate(at_a_time(keys.len()));
                 (0..).zip(&mut tasks).for_each(|(at, task)| task.own = Some(at));
                 Ok(RivalsState::Missing(Step::Match { purpose, template, tasks, finished, own }))
             }
@@ -263,8 +288,7 @@ mod tests {
         use nalgebra::Vector3;
         let (x, y, z) = (half(Vector3::x_axis()), half(Vector3::y_axis()), half(Vector3::z_axis()));
         let turned = |k: f64| *nalgebra::Rotation3::from_euler_angles(0.3 * k, 0.9 * k, -0.4 * k).matrix();
-        let ambiguous = |k: f64, rivals: &[Matrix3<f64>]| Ambiguous {
-            subject: 0,
+        let ambiguous = |k: f64, rivals: &[Matrix3<f64>]| OpenPose {
             own: turned(k),
             rivals: rivals.iter().map(|of| turned(k) * of).collect(),
         };

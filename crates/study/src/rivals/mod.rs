@@ -38,6 +38,7 @@ mod settings;
 mod shapes;
 mod surfaces;
 
+pub(crate) use settings::GroupSettings;
 pub(crate) use surfaces::rival_surfaces;
 
 use crate::cohort::Role;
@@ -52,7 +53,6 @@ use marginals::GroupEnergy;
 use rayon::prelude::*;
 use scale::Scale;
 use serde::Serialize;
-use settings::GroupSettings;
 use shapes::{Frame, Shape};
 use std::collections::{BTreeMap, BTreeSet};
 

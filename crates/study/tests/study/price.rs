@@ -2,7 +2,7 @@
 //!
 //! Only ratios of one run are compared: all prices may be wrong by the speed of the machine.
 
-use crate::making::made;
+use crate::making::{Extra, made, made_with};
 use homolog_contract::parameters::resolve;
 use homolog_formats::ply::write_ply;
 use homolog_mesh::SurfaceMesh;
@@ -143,5 +143,17 @@ fn the_price_of_a_step_is_near_what_it_takes() {
         let name = format!("{subjects} subjects, level {levels}, {contrasts} contrasts, {permutations} permutations");
         (name, (step_price(&study.size), seconds))
     });
-    compare(compared.into());
+    let mut compared: Vec<_> = compared.into();
+    for (extra, subjects, levels) in [
+        (Extra::Rivals, 12, 4),
+        (Extra::Rivals, 60, 3),
+        (Extra::Rivals, 250, 1),
+        (Extra::OwnTemplates, 12, 4),
+        (Extra::OwnTemplates, 60, 2),
+    ] {
+        let study = made_with(extra, subjects, levels, 1, 0, 2);
+        let seconds = measured(|| drop(study.step()));
+        compared.push((format!("{subjects} subjects, level {levels}, {extra:?}"), (step_price(&study.size), seconds)));
+    }
+    compare(compared);
 }

@@ -7,7 +7,7 @@ use homolog_mesh::SurfaceMesh;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_study::cohort::Cohort;
 use homolog_study::findings::{Findings, find};
-use homolog_study::folder::{Decision, Folder, Verdict};
+use homolog_study::folder::{Decision, Folder, Verdict, record_name};
 use homolog_study::matching::StudyObserver;
 use homolog_study::output::write;
 use homolog_study::plan::{Purpose, Records, Step, Study, Task, Template};
@@ -309,6 +309,32 @@ fn a_study_that_is_stopped_after_every_match_ends_with_the_same_bytes() {
     let Step::Matched(matched) = again.advance(&folder, &Quiet).unwrap() else { panic!("matches are missing") };
     find(&study, &matched, &folder, &[], &Quiet).unwrap();
     assert!(records(folder) == all);
+}
+
+#[test]
+fn a_record_says_once_which_poses_are_open() {
+    let made = Made::default();
+    let folder = made.folder(BTreeMap::new());
+    let mut study = made.open(&folder);
+    let mut step = || match study.advance(&folder, &Quiet).unwrap() {
+        Step::Match { purpose, tasks, own, .. } => (purpose, tasks, own),
+        Step::Matched(_) => panic!("no match is missing"),
+    };
+    let (_, tasks, own) = step();
+    let subjects: Vec<String> = tasks.iter().map(|task| task.key.clone()).collect();
+    let keep = |tasks: &[Task], own: &[Template]| {
+        let study = made.open(&folder);
+        tasks.iter().for_each(|task| folder.keep(&task.key, &made.record(&study, task, own)).unwrap());
+    };
+    keep(&tasks, &own);
+    let (purpose, first, own) = step();
+    assert_eq!((purpose, first.len()), (Purpose::Rivals, 4 * 3));
+    // No further step depends on the matches of subjects: a damaged record would be an error.
+    subjects.iter().for_each(|key| folder.write(&record_name(key), b"damaged").unwrap());
+    keep(&first[..5], &own);
+    let (purpose, rest, _) = step();
+    let keys = |of: &[Task]| of.iter().map(|task| task.key.clone()).collect::<Vec<_>>();
+    assert_eq!((purpose, keys(&rest)), (Purpose::Rivals, keys(&first[5..])));
 }
 
 #[test]

@@ -79,7 +79,7 @@ def found_in_patch(folder, measure, radius_mm, contrast="patient-control"):
     truth, outside = weight > 0.5, weight == 0
     arrays = maps(folder, f"{measure}.{contrast}")
     found = {}
-    for kind, p in (("tfce_fwe", "p_tfce_fwe"), ("fdr", "q_fdr"), ("uncorrected", "robust_p")):
+    for kind, p in (("significant", "p_local"), ("tfce_fwe", "p_tfce_fwe"), ("fdr", "q_fdr"), ("uncorrected", "robust_p")):
         hit = arrays[p] < 0.05
         found[kind] = dict(sensitivity=round(float(hit[truth].mean()), 3),
                            false_discoveries=round(float((hit & outside).sum() / max(hit.sum(), 1)), 3),

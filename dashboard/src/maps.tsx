@@ -96,6 +96,7 @@ const QUANTITIES: { name: string; title: string; kind: "effect" | "signed" | "p"
   { name: "hedges_g", title: "Hedges' g", kind: "signed" },
   { name: "t", title: "t", kind: "signed" },
   { name: "z", title: "z", kind: "signed" },
+  { name: "p_local", title: "p, local (TFCE and false discovery rate)", kind: "p" },
   { name: "p_tfce_fwe", title: "p, corrected (TFCE, family-wise)", kind: "p" },
   { name: "p_permutation", title: "p, uncorrected (permutations)", kind: "p" },
   { name: "p", title: "p, uncorrected", kind: "p" },
@@ -137,12 +138,13 @@ export function Maps({ archive, result, name }: { archive: Archive; result: Stud
   const arrays = loaded?.arrays;
   const offered = QUANTITIES.filter(({ name }) => arrays === undefined || name in arrays);
   const shown = offered.find(({ name }) => name === quantity) ?? offered[0]!;
-  const corrected = arrays?.p_tfce_fwe ?? arrays?.q_fdr;
+  // Archives of earlier versions have no local p.
+  const local = arrays?.p_local ?? arrays?.p_tfce_fwe ?? arrays?.q_fdr;
   const { title, unit } = MEASURES[measure] ?? { title: words(measure), unit: "" };
   const view = useMemo((): { coloring: Coloring; ticks: string[]; map: MapName } | null => {
     const values = arrays?.[shown.name];
     if (values === undefined) return null;
-    const isShown = (v: number) => !only || corrected === undefined || corrected[v]! < 0.05;
+    const isShown = (v: number) => !only || local === undefined || local[v]! < 0.05;
     if (shown.kind === "p") {
       const logs = values.map((p, v) => (isShown(v) ? -Math.log10(Math.max(p, 10 ** -LEAST_P)) : NaN));
       return { coloring: { values: logs, low: 0, high: LEAST_P, map: "viridis" }, ticks: ["1", "0.1", "0.01", "≤ 0.001"], map: "viridis" };
@@ -153,7 +155,7 @@ export function Maps({ archive, result, name }: { archive: Archive; result: Stud
   if (maps.length === 0) return <p class="hint">No effect was asked for, so there are no maps.</p>;
   const found = maps.find((map) => map.measure === measure && map.contrast === contrast);
   const withUnit = shown.kind === "effect" ? `effect on ${title}${unit === "mm" ? ", mm" : unit === "ln" ? ", natural logarithm" : ""}` : `${shown.title} of ${title}`;
-  const covered = arrays && corrected ? corrected.filter((p) => p < 0.05).length : null;
+  const covered = arrays && local ? local.filter((p) => p < 0.05).length : null;
   return (
     <>
       <div class="tools">
@@ -181,7 +183,7 @@ export function Maps({ archive, result, name }: { archive: Archive; result: Stud
             ))}
           </select>
         </label>
-        <Check label="Only corrected p < 0.05" checked={only} onChange={(e) => setOnly(e.currentTarget.checked)} />
+        <Check label="Only local p < 0.05" checked={only} onChange={(e) => setOnly(e.currentTarget.checked)} />
       </div>
       <Failure text={failure} />
       {loaded === null ? (
@@ -199,8 +201,8 @@ export function Maps({ archive, result, name }: { archive: Archive; result: Stud
       <div class="legend">
         {view && <ColorBar map={view.map} title={withUnit} ticks={view.ticks} />}
         <p id="map-says">
-          {found && `Smallest corrected p ${number(found.smallest_p, 2)}; ${number(100 * found.significant_share, 2)} % of the surface below 0.05${covered === null ? "" : ` (${number(covered)} vertices)`}.`}
-          {shown.kind !== "p" && " Red: above zero; blue: below."} {only && "Gray: not below 0.05."}
+          {found && `Smallest corrected p ${number(found.smallest_p, 2)}; ${number(100 * found.significant_share, 2)} % of the surface significant${covered === null ? "" : ` (${number(covered)} vertices)`}.`}
+          {shown.kind !== "p" && " Red: above zero; blue: below."} {only && "Gray: local p not below 0.05."}
         </p>
       </div>
     </>

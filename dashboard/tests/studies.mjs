@@ -171,11 +171,11 @@ export function studyTests({ test, service, upload, json, sent, sphere }) {
     const { found } = await json(base, `studies/${id}/result`);
     const { smallest_p: p } = found.maps.find((each) => each.measure === "normal_displacement" && each.contrast === "patient-control");
     assert(said.includes(`Smallest corrected p ${Number(p.toPrecision(2))}`), `${said} ${p}`);
-    await page.check('section[aria-label="Maps"] label:has-text("Only corrected") input');
+    await page.check('section[aria-label="Maps"] label:has-text("Only local") input');
     await shownAs("normal_displacement", "patient-control", "effect");
-    const significant = column(map("normal_displacement", "patient-control"), "p_tfce_fwe").filter((p) => p < 0.05).length;
+    const significant = column(map("normal_displacement", "patient-control"), "p_local").filter((p) => p < 0.05).length;
     if (significant === 0) await assert.rejects(async () => assert((await colors(column(map("normal_displacement", "patient-control"), "effect"))) > 0.3), "all is gray");
-    await page.uncheck('section[aria-label="Maps"] label:has-text("Only corrected") input');
+    await page.uncheck('section[aria-label="Maps"] label:has-text("Only local") input');
     // By the keyboard, and the values of a vertex.
     await page.focus("#map");
     const before = await page.locator("#map").screenshot();

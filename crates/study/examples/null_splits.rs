@@ -44,8 +44,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         if subjects.len() < n {
             continue;
         }
-        let [tfce, largest] = shares(&subjects, &enhancer, splits, permutations)?;
-        println!("{}: {tfce:.3} by TFCE, {largest:.3} by the largest |t|", measure.name());
+        let [tfce, largest, local] = shares(&subjects, &enhancer, splits, permutations)?;
+        println!("{}: {tfce:.3} by TFCE, {largest:.3} by the largest |t|, {local:.3} significant", measure.name());
     }
     Ok(())
 }

@@ -134,10 +134,21 @@ impl StatisticMap {
         }
     }
 
-    /// The p-value shown in the report: corrected over all vertices by enhanced clusters, or for visits the false
-    /// discovery rate.
+    /// The p-value that says whether there is an effect at all: corrected over all vertices by enhanced clusters, or for visits
+    /// the false discovery rate.
     pub fn p_corrected(&self) -> &[f64] {
         self.linear.as_ref().map_or(&self.q, |(_, permuted)| &permuted.p_tfce)
+    }
+
+    /// The p-value that says where an effect is: at each vertex the larger one of [`Self::p_corrected`] and the false discovery
+    /// rate.
+    ///
+    /// An enhanced cluster rejects the hypothesis that there is no effect anywhere. Beside a true effect its value is also small
+    /// at vertices of little `|t|` that are connected with it, which `q` bounds. Both must reject (intersection-union test; Berger
+    /// 1982): without any effect, a vertex up to 0.05 is as rare as by clusters, and of the vertices up to 0.05 at most about a
+    /// twentieth is wrong.
+    pub fn p_local(&self) -> Vec<f64> {
+        self.p_corrected().iter().zip(&self.q).map(|(p, q)| p.max(*q)).collect()
     }
 }
 

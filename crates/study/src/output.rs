@@ -243,6 +243,7 @@ fn maps(found: &Findings, written: &mut Written<'_>, observer: &dyn Observer) ->
                 real("p_fwe", permuted.p_fwe.clone()),
                 real("tfce", permuted.tfce.clone()),
                 real("p_tfce_fwe", permuted.p_tfce.clone()),
+                real("p_local", map.p_local()),
             ]);
         }
         if let Some(mixed) = &map.mixed {
@@ -457,7 +458,7 @@ fn figures(study: &Study, found: &Findings) -> serde_json::Value {
                     "measure": map.measure,
                     "contrast": statistics.design.contrasts[map.contrast].name,
                     "smallest_p": map.p_corrected().iter().copied().fold(1.0, f64::min),
-                    "significant_share": significant_share(map.p_corrected(), &found.alignment.weights),
+                    "significant_share": significant_share(&map.p_local(), &found.alignment.weights),
                     "smallest_q": map.q.iter().copied().fold(1.0, f64::min),
                 })
             })

@@ -5,14 +5,18 @@
 //! maps of the subjects as they were, moved by the deformation of the surface. It differs from a study of the deformed surfaces only
 //! in what their matches do with the deformation, and has the same error of the maps otherwise.
 //!
-//! Usage: `validate_study DATA OUT [short]`, with label volumes in `DATA/hippocampus`. Matches are kept in OUT.
+//! Usage: `validate_study DATA OUT [short | draws N]`, with label volumes in `DATA/hippocampus`. Matches are kept in OUT. With `draws`
+//! all subjects are studied N times, other ones of them deformed each time, and only `draws.md` is written.
 #![allow(clippy::print_stdout)]
 
+mod draws;
+mod figures;
 mod group;
 mod null;
 mod planted;
 mod splits;
 
+use figures::Figures;
 use group::{Bench, Maps};
 use homolog_contract::parameters::Method;
 use homolog_study::findings::Findings;
@@ -62,7 +66,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (data, out, plan) = match arguments.as_slice() {
         [_, data, out] => (data, out, Plan::long()),
         [_, data, out, word] if word == "short" => (data, out, Plan::short()),
-        _ => return Err("usage: validate_study DATA OUT [short]".into()),
+        [_, data, out, word, number] if word == "draws" => {
+            let (plan, number) = (Plan::long(), number.parse()?);
+            let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
+            return draws::report(&bench, &plan.plants, plan.subjects, number, &Path::new(out).join("draws.md"));
+        }
+        _ => return Err("usage: validate_study DATA OUT [short | draws N]".into()),
     };
     let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
     let report = Path::new(out).join("report.md");
@@ -89,7 +98,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         "\nSplits without an effect, {} of {} subjects each: share with any corrected p up to 0.05.\n",
         plan.splits, plan.subjects
     )?;
-    text.push_str("| maps | TFCE | largest \\|t\\| | standard error |\n|---|---|---|---|\n");
+    text.push_str(
+        "| maps | TFCE | largest \\|t\\| | significant (TFCE and FDR) | standard error |\n|---|---|---|---|---|\n",
+    );
     for how in Correspondence::ALL {
         let line = null::row(&bench, how, plan.splits, plan.permutations)?;
         println!("{line}");
@@ -104,46 +115,32 @@ const HEADER: &str = "\
 Maps: the oracle, those of homolog pair by pair and joint, and those of SPHARM-PDM and of closest points, with the same template. \
 In the model: subjects whose match is not unreliable. Effect: mean over the part of the patch that moves by more than half of the height. \
 SE: median standard error (HC3) there. Beyond 2 SE: \
-share of the area of that part where the effect has the sign of the deformation and exceeds two standard errors. Found: share of it with a \
-corrected p (TFCE, family-wise) up to 0.05. False: share of the significant area outside of the patch. \
+share of the area of that part where the effect has the sign of the deformation and exceeds two standard errors. Found: share of it \
+that is significant: corrected p (TFCE, family-wise) and q (FDR) up to 0.05. False: share of the significant area outside of the patch. \
+By TFCE: both with the corrected p alone. \
 Distance: from the largest |t| to the middle of the patch on the mean.
 
-| radius, height, mm | n | in the model | maps | effect, mm | put there, mm | SE, mm | beyond 2 SE | found | false | distance, mm |
-|---|---|---|---|---|---|---|---|---|---|---|
+| radius, height, mm | n | in the model | maps | effect, mm | put there, mm | SE, mm | beyond 2 SE | found | false | found by TFCE | false by TFCE | distance, mm |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|
 ";
 
 /// A line of the report.
 fn row(plant: &Plant, n: usize, maps: Maps, found: &Findings) -> Result<String, Box<dyn Error>> {
-    let map =
-        found.statistics.as_ref().and_then(|statistics| statistics.maps.first()).ok_or("there is no statistic")?;
-    let (linear, permuted) = map.linear.as_ref().ok_or("there is no permutation test")?;
-    let (expected, areas) = (plant.expected(&found.mean), homolog_study::align::vertex_areas(&found.mean));
-    let patch: Vec<usize> = (0..expected.len()).filter(|&v| expected[v].abs() > 0.5 * plant.height_mm.abs()).collect();
-    // An empty sum is −0.
-    let area = |of: &dyn Fn(usize) -> bool| (0..areas.len()).filter(|&v| of(v)).map(|v| areas[v]).sum::<f64>() + 0.0;
-    let is_in: Vec<bool> = (0..areas.len()).map(|v| patch.contains(&v)).collect();
-    let is_beyond = |v: usize| linear.effect[v] * expected[v].signum() > 2.0 * linear.robust_se[v];
-    let whole = area(&|v| is_in[v]).max(f64::MIN_POSITIVE);
-    let is_found = |v: usize| permuted.p_tfce[v] <= 0.05;
-    let significant = area(&is_found);
-    let beside = area(&|v| is_found(v) && expected[v] == 0.0);
-    let mean = |values: &[f64]| patch.iter().map(|&v| values[v]).sum::<f64>() / patch.len().max(1) as f64;
-    let mut errors: Vec<f64> = patch.iter().map(|&v| linear.robust_se[v]).collect();
-    errors.sort_by(f64::total_cmp);
-    let t = &permuted.t;
-    let largest = (0..t.len()).fold(0, |best, v| if t[v].abs() > t[best].abs() { v } else { best });
-    let distance = (found.mean.vertices()[largest] - plant.middle(&found.mean)).norm();
+    let of = Figures::of(plant, found)?;
     Ok(format!(
-        "| {:.0}, {:+.1} | {n} | {} | {} | {:+.2} | {:+.2} | {:.2} | {:.2} | {:.2} | {:.3} | {distance:.1} |",
+        "| {:.0}, {:+.1} | {n} | {} | {} | {:+.2} | {:+.2} | {:.2} | {:.2} | {:.2} | {:.3} | {:.2} | {:.3} | {:.1} |",
         plant.radius_mm,
         plant.height_mm,
         found.members.len(),
         maps.name(),
-        mean(&linear.effect),
-        mean(&expected),
-        errors.get(errors.len() / 2).copied().unwrap_or(f64::NAN),
-        area(&|v| is_in[v] && is_beyond(v)) / whole,
-        area(&|v| is_in[v] && is_found(v)) / whole,
-        if beside > 0.0 { beside / significant } else { 0.0 },
+        of.effect_mm,
+        of.expected_mm,
+        of.se_mm,
+        of.beyond,
+        of.significant.found,
+        of.significant.falsely,
+        of.by_tfce.found,
+        of.by_tfce.falsely,
+        of.distance_mm,
     ))
 }

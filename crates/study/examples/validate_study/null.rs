@@ -18,7 +18,7 @@ pub(crate) fn row(
     let found = find(&study, &matched, &folder, &[], &Quiet)?;
     let subjects = of_members(&found, &folder, Measure::NormalDisplacement)?;
     let (graph, areas) = (found.mean.edge_graph(), homolog_study::align::vertex_areas(&found.mean));
-    let [tfce, largest] = shares(&subjects, &Enhancer::new(&graph, &areas), splits, permutations)?;
+    let [tfce, largest, local] = shares(&subjects, &Enhancer::new(&graph, &areas), splits, permutations)?;
     let error = (0.05 * 0.95 / splits as f64).sqrt();
-    Ok(format!("| {} | {tfce:.3} | {largest:.3} | {error:.3} |\n", how.name()))
+    Ok(format!("| {} | {tfce:.3} | {largest:.3} | {local:.3} | {error:.3} |\n", how.name()))
 }

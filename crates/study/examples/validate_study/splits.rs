@@ -9,6 +9,7 @@ use homolog_study::plan::Records;
 use homolog_study::settings::Measure;
 use homolog_study::statistics::VertexValues;
 use homolog_study::statistics::linear::LinearModel;
+use homolog_study::statistics::multiple::false_discovery;
 use homolog_study::statistics::permutation::test;
 use homolog_study::statistics::tfce::Enhancer;
 use nalgebra::Point3;
@@ -29,15 +30,16 @@ pub(crate) fn of_members(found: &Findings, folder: &Folder, measure: Measure) ->
     Ok(subjects)
 }
 
-/// The shares of splits with any corrected p up to 0.05: by TFCE, and by the largest |t|.
+/// The shares of splits with any corrected p up to 0.05: by TFCE, by the largest |t|, and with any significant vertex, where both
+/// the p by TFCE and q are up to 0.05.
 pub(crate) fn shares(
     subjects: &[Vec<f64>],
     enhancer: &Enhancer<'_>,
     splits: u64,
     permutations: usize,
-) -> Result<[f64; 2], Box<dyn Error>> {
+) -> Result<[f64; 3], Box<dyn Error>> {
     let (values, n) = (VertexValues::from_subjects(subjects), subjects.len());
-    let mut counts = [0u32; 2];
+    let mut counts = [0u32; 3];
     for split in 0..splits {
         let mut random = Xoshiro256PlusPlus::seed_from_u64(1000 + split);
         let mut order: Vec<usize> = (0..n).collect();
@@ -45,7 +47,9 @@ pub(crate) fn shares(
         let matrix = Mat::from_fn(n, 2, |i, k| f64::from(u8::from(k == 0 || order[i] < n / 2)));
         let model = LinearModel::new(&matrix);
         let found = test(&model, &values, &[0.0, 1.0], enhancer, permutations, split, &Silent)?;
-        for (count, p) in counts.iter_mut().zip([&found.p_tfce, &found.p_fwe]) {
+        let q = false_discovery(&model.contrast(&values, &[0.0, 1.0], &Silent)?.robust_p);
+        let local: Vec<f64> = found.p_tfce.iter().zip(q).map(|(p, q)| p.max(q)).collect();
+        for (count, p) in counts.iter_mut().zip([&found.p_tfce, &found.p_fwe, &local]) {
             *count += u32::from(p.iter().any(|&p| p <= 0.05));
         }
     }

@@ -79,7 +79,8 @@ pub(super) fn text(study: &Study, found: &Findings, commit: &str) -> String {
                 "{pairs}Standard errors, their p and the false discovery rate are robust to unequal variances (HC3). The error over \
                  the whole surface is controlled by {} {exchanges}; seed {}) of the largest threshold-free cluster \
                  enhancement of |t| (H = 2, E = 1, area of the mean), where t is the ordinary one with pooled variance: under the \
-                 null hypothesis {null}; the false discovery rate by Benjamini and Hochberg from the robust p. Intervals of g \
+                 null hypothesis {null}; the false discovery rate by Benjamini and Hochberg from the robust p. A vertex is \
+                 significant if both are below 0.05 (intersection-union test, Berger 1982). Intervals of g \
                  are exact under normal residuals of equal variance. {} measures were tested; p-values are not corrected for that.",
                 settings.analysis.permutations,
                 settings.analysis.seed,
@@ -211,7 +212,7 @@ pub(super) fn references(study: &Study, found: &Findings) -> String {
         if statistics.longitudinal {
             list.push(REML);
         } else {
-            list.extend([ROBUST_ERRORS, FREEDMAN_LANE, PERMUTATIONS, TFCE]);
+            list.extend([ROBUST_ERRORS, FREEDMAN_LANE, INTERSECTION_UNION, PERMUTATIONS, TFCE]);
         }
         list.push(FALSE_DISCOVERIES);
         if !statistics.whole.is_empty() {
@@ -239,6 +240,8 @@ const FUNCTIONAL_MAPS: &str = "Ovsjanikov, M., Ben-Chen, M., Solomon, J., Butsch
 const GAUSSIAN_PROCESSES: &str = "Lüthi, M., Gerig, T., Jud, C., Vetter, T. (2018). Gaussian process morphable models. IEEE Transactions on Pattern Analysis and Machine Intelligence 40(8), 1860–1873.";
 const HEDGES: &str = "Hedges, L. V. (1981). Distribution theory for Glass's estimator of effect size and related estimators. Journal of Educational Statistics 6(2), 107–128.";
 const ICP: &str = "Besl, P. J., McKay, N. D. (1992). A method for registration of 3-D shapes. IEEE Transactions on Pattern Analysis and Machine Intelligence 14(2), 239–256.";
+const INTERSECTION_UNION: &str =
+    "Berger, R. L. (1982). Multiparameter hypothesis testing and acceptance sampling. Technometrics 24(4), 295–300.";
 const MODEL_QUALITY: &str = "Davies, R. H., Twining, C. J., Cootes, T. F., Waterton, J. C., Taylor, C. J. (2002). A minimum description length approach to statistical shape modeling. IEEE Transactions on Medical Imaging 21(5), 525–537.";
 const NONRIGID_ICP: &str = "Amberg, B., Romdhani, S., Vetter, T. (2007). Optimal step nonrigid ICP algorithms for surface registration. IEEE Conference on Computer Vision and Pattern Recognition.";
 const OWN_TEMPLATES: &str = "Reuter, M., Schmansky, N. J., Rosas, H. D., Fischl, B. (2012). Within-subject template estimation for unbiased longitudinal image analysis. NeuroImage 61(4), 1402–1418.";

@@ -30,7 +30,7 @@ use std::fmt::Write;
 /// Standard deviations from the mean at which a mode is shown.
 pub(crate) const MODE_DEVIATIONS: f64 = 2.0;
 
-/// Share of the surface with a corrected p below 0.05.
+/// Share of the surface with a p below 0.05.
 pub(crate) fn significant_share(p: &[f64], weights: &[f64]) -> f64 {
     // An empty sum is a negative zero.
     p.iter().zip(weights).filter(|(p, _)| **p < 0.05).map(|(_, weight)| weight).sum::<f64>() + 0.0
@@ -242,7 +242,7 @@ impl View {
             checkpoint(observer)?;
             let contrast = found.statistics.as_ref().map(|s| &s.design.contrasts[map.contrast]);
             let (values, largest) = scaled(map.effect());
-            let significant: Vec<u8> = map.p_corrected().iter().map(|&p| u8::from(p < 0.05)).collect();
+            let significant: Vec<u8> = map.p_local().iter().map(|&p| u8::from(p < 0.05)).collect();
             let title = format!("{}: {}", contrast.map_or("", |c| &c.name), map.measure.title());
             let _ = write!(map_options, "<option value=\"{}\">{}</option>", maps.len(), escaped(&title));
             maps.push(json!({
@@ -313,7 +313,7 @@ impl View {
              surface with a map, and a mode or a subject\"></canvas><span class=\"name left\">mean</span>\
              <span class=\"name right\" id=\"right\"></span></div>\n<div class=\"controls\"><div>\
              <select id=\"map\" aria-label=\"Map\">{map_options}</select>\
-             <label><input type=\"checkbox\" id=\"only\"> only corrected p &lt; 0.05</label></div><div>\
+             <label><input type=\"checkbox\" id=\"only\"> only significant vertices</label></div><div>\
              <select id=\"shape\" aria-label=\"Mode or subject\">{shape_options}</select>\
              <label>−2 sd <input type=\"range\" id=\"along\" min=\"-50\" max=\"50\" value=\"50\"> +2 sd</label></div></div>\n\
              <p class=\"colors screen\"><span id=\"low\"></span><span class=\"bar\" id=\"bar\"></span><span id=\"high\"></span> \
@@ -371,28 +371,31 @@ fn effects(study: &Study, found: &Findings) -> String {
                 escaped(&statistics.design.contrasts[map.contrast].name),
                 map.measure.title().to_owned(),
                 p.get(best).map_or(String::new(), |p| p_value(*p)),
-                format!("{:.1} %", 100.0 * significant_share(p, weights)),
+                format!("{:.1} %", 100.0 * significant_share(&map.p_local(), weights)),
                 map.effect().get(best).map_or(String::new(), |effect| signed(*effect, 3)),
             ];
             // Of visits the corrected value is q itself, and g is not defined.
             if let Some((linear, _)) = &map.linear {
                 row.push(signed(linear.g[best], 2));
-                row.push(format!("{:.1} %", 100.0 * significant_share(&map.q, weights)));
+                row.extend([p, map.q.as_slice()].map(|p| format!("{:.1} %", 100.0 * significant_share(p, weights))));
             }
             row
         })
         .collect();
     let corrected = if statistics.longitudinal { "smallest q (FDR)" } else { "smallest p (TFCE, FWE)" };
-    let mut header = vec!["contrast", "measure", corrected, "of the surface below 0.05", "effect there"];
+    let mut header = vec!["contrast", "measure", corrected, "of the surface significant", "effect there"];
     if !statistics.longitudinal {
-        header.extend(["g there", "q (FDR) below 0.05"]);
+        header.extend(["g there", "p below 0.05", "q (FDR) below 0.05"]);
     }
     html.push_str(&table(&header, &rows, "free"));
-    let there = if statistics.longitudinal { "Effect there" } else { "Effect and g there" };
+    let (there, both) = match statistics.longitudinal {
+        true => ("Effect there", "q is"),
+        false => ("Effect and g there", "both the corrected p and q are"),
+    };
     let _ = writeln!(
         html,
-        "<p class=\"hint\">Of the surface below 0.05: share of the area. {there}: where that value is smallest, and of equal ones \
-         where the effect is largest.</p>"
+        "<p class=\"hint\">Of the surface significant: share of the area where {both} below 0.05. {there}: where that value is \
+         smallest, and of equal ones where the effect is largest.</p>"
     );
     for measure in &statistics.left_out {
         let _ = write!(html, "<p class=\"hint\">{} is not meaningful here: a surface is open.</p>", measure.name());

@@ -196,7 +196,7 @@
     ["", "right-"].filter((place) => !by(`${place}bar`).hidden).forEach((place, k) => {
       const y = high + 16 + 22 * k, of = (name) => by(place + name).textContent;
       svg.append(made("text", { x: 92, y: y + 11, "text-anchor": "end" }, of("low")), made("rect", { x: 100, y, width: 200, height: 12, fill: `url${"("}#ramp)` }));
-      svg.append(made("text", { x: 308, y: y + 11 }, `${of("high")}   ${of("legend")}${k === 0 && only.checked ? ", corrected p < 0.05" : ""}`));
+      svg.append(made("text", { x: 308, y: y + 11 }, `${of("high")}   ${of("legend")}${k === 0 && only.checked ? ", significant vertices" : ""}`));
     });
     return svg;
   };

@@ -137,3 +137,24 @@ fn without_an_asymmetry_corrected_p_values_are_rarely_small() {
     // Expected 1.5; 7 or more in one case of a thousand.
     assert!(any.count() <= 6);
 }
+
+#[test]
+fn beside_a_strong_effect_few_vertices_are_significant() {
+    let (mesh, tries) = (template(), 6);
+    let place = mesh.vertices()[PLACE];
+    let far = |v: usize| (mesh.vertices()[v] - place).norm() > 4.0 * WIDTH_MM;
+    let (mut by_clusters, mut significant) = (0.0, 0.0);
+    for seed in 0..tries {
+        let (found, _) = studied(&sides(200 + seed, 4.0 * DEPTH_MM), 200, true, false);
+        let map = &found.statistics.as_ref().unwrap().maps[0];
+        let falsely = |p: &[f64]| {
+            let claimed: Vec<usize> = (0..p.len()).filter(|&v| p[v] <= 0.05).collect();
+            claimed.iter().filter(|&&v| far(v)).count() as f64 / claimed.len().max(1) as f64
+        };
+        let local = map.p_local();
+        assert!(local[PLACE] <= 0.01, "{}", local[PLACE]);
+        by_clusters += falsely(map.p_corrected());
+        significant += falsely(&local);
+    }
+    assert!(significant <= 0.05 * tries as f64 && significant < by_clusters, "{significant} {by_clusters}");
+}

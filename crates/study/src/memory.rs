@@ -6,7 +6,7 @@
 
 use crate::joint::{JointSettings, SURFACES_BYTES};
 use crate::model::{COMPLETE, many};
-use crate::plan::{MOST_RIVALS, rivals_at_a_time};
+use crate::plan::{RIVALS_PER_SUBJECT, rivals_at_a_time};
 use crate::rivals::GroupSettings;
 use crate::settings::{Analysis, Measure};
 use homolog_contract::study::StudySize;
@@ -67,8 +67,8 @@ pub fn step_bytes(size: &StudySize, threads: usize) -> u64 {
     // a person with a template has up to three matches and a map besides, and a joint one.
     let joint_maps = if size.joint { n } else { 0 };
     let of_visits = if size.own_templates { times(&[4, n]) } else { 0 };
-    // Any subject may be ambiguous, and has then all other poses, and the map that the group decided on.
-    let of_rivals = if size.rivals { times(&[1 + MOST_RIVALS as u64, n]) } else { 0 };
+    // Any subject may be ambiguous, and has then the map that the group decided on.
+    let of_rivals = if size.rivals { times(&[1 + RIVALS_PER_SUBJECT as u64, n]) } else { 0 };
     let records = times(&[2, sum(&[n, joint_maps, of_visits, of_rivals, times(&[4, size.ring])]), 12 * v + 1024]);
     let table = sum(&[times(&[n, SUBJECT]), times(&[size.cells, CELL])]);
     // The template as read, as matched, as written, and in the findings; the mean; weights, areas, normals, the graph.
@@ -133,7 +133,7 @@ fn many_bytes(size: &StudySize, t: u64) -> u64 {
 fn rival_bytes(size: &StudySize) -> u64 {
     let StudySize { subjects: n, vertices: v, .. } = *size;
     let times = |parts: &[u64]| parts.iter().copied().fold(1, u64::saturating_mul);
-    let (settings, candidates) = (GroupSettings::default(), 1 + MOST_RIVALS as u64);
+    let (settings, candidates) = (GroupSettings::default(), 1 + RIVALS_PER_SUBJECT as u64);
     // The shapes of all candidates, the maps of reliable subjects, and the potentials and messages of a part.
     let shapes = times(&[n, candidates, 8 * settings.patches as u64 + 64]);
     let observed = times(&[n.min(settings.most_observed as u64), 40 * v]);
@@ -146,7 +146,7 @@ fn rival_bytes(size: &StudySize) -> u64 {
 /// file of a subject.
 fn turned_bytes(size: &StudySize) -> u64 {
     let StudySize { subjects: n, vertices: v, faces: f, .. } = *size;
-    let tasks = (rivals_at_a_time(n as usize) as u64).min(n.saturating_mul(MOST_RIVALS as u64));
+    let tasks = (rivals_at_a_time(n as usize) as u64).min(n.saturating_mul(RIVALS_PER_SUBJECT as u64));
     let of_file = if size.has_volumes { 0 } else { size.file_bytes };
     tasks.saturating_mul((48 * v + 26 * f + 1024).max(of_file.saturating_mul(3)))
 }

@@ -8,7 +8,7 @@
 mod rivals;
 mod visits;
 
-pub(crate) use rivals::{MOST as MOST_RIVALS, at_a_time as rivals_at_a_time};
+pub(crate) use rivals::{PER_SUBJECT as RIVALS_PER_SUBJECT, at_a_time as rivals_at_a_time};
 pub use rivals::{PoseEvidence, RIVAL_PARAMETERS, Rival, SubjectRivals};
 pub use visits::{OwnMaps, Person};
 

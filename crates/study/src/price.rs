@@ -9,7 +9,7 @@
 use crate::joint::JointSettings;
 use crate::memory::{measures, permutations};
 use crate::model::{COMPLETE, many, n_folds};
-use crate::plan::MOST_RIVALS;
+use crate::plan::RIVALS_PER_SUBJECT;
 use crate::rivals::GroupSettings;
 use homolog_contract::parameters::{
     Algorithm, ClampingMode, CurvatureEstimator, DisplacementMode, FeatureKind, FeatureParameters, MatchParameters,
@@ -242,10 +242,10 @@ pub fn step_price(size: &StudySize) -> Price {
     let models =
         rounds * (joint.folds as f64 * OF_DECOMPOSITION * in_model.powi(3) + OF_PAIR_VERTEX * in_model * in_model * v);
     let visits = if size.own_templates { n * v } else { 0.0 };
-    // Any subject may be ambiguous, with all other poses.
+    // Any subject may be ambiguous.
     let (ambiguous, group) = (if size.rivals { n } else { 0.0 }, GroupSettings::default());
-    let decided = ambiguous * (ambiguous.min(group.together as f64) + ambiguous.min(group.most_observed as f64));
-    let rivals = OF_RIVAL_VERTEX * ambiguous * v * MOST_RIVALS as f64 + OF_RIVAL_PAIR * decided;
+    let decided = ambiguous * (ambiguous.min(group.together as f64) + n.min(group.most_observed as f64));
+    let rivals = OF_RIVAL_VERTEX * ambiguous * v * RIVALS_PER_SUBJECT as f64 + OF_RIVAL_PAIR * decided;
     Price::of(&[
         (OF_VISIT_VERTEX * visits, "visits group_template, or a smaller template"),
         (rivals, "rivals leave_out, or a smaller template"),

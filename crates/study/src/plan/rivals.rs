@@ -28,7 +28,10 @@ use std::collections::{BTreeSet, HashSet};
 /// Version of these matches in the names of their records.
 const VERSION: &str = "rival 1";
 /// Most rival poses of a subject; a box and an ellipsoid have three.
-pub(crate) const MOST: usize = 4;
+const MOST: usize = 4;
+/// Matches in rival poses for each subject of a study at most, on average: if all subjects were ambiguous, the structure itself would
+/// be symmetric.
+pub(crate) const PER_SUBJECT: usize = 2;
 /// Matches of a step, whose surfaces are in memory at a time: at least so many, and this share of the subjects. Every step of the
 /// service opens the study anew, and the share bounds how often.
 const AT_A_TIME: usize = 64;
@@ -185,7 +188,8 @@ impl Study {
     /// The next matches in rival poses, or all of them. `keys`: of the subjects' matches, which exist, with `template`; rows that
     /// are `composed` have none.
     ///
-    /// Groups of fewer than three reliable subjects decide nothing and need none.
+    /// Groups of fewer than three reliable subjects decide nothing and need none. There are at most twice as many matches as subjects
+    /// ([`PER_SUBJECT`]): beyond them, subjects stay open.
     ///
     /// # Errors
     /// Errors of reading records; [`StudyError::Interrupted`].
@@ -223,11 +227,19 @@ impl Study {
         let open = || found.iter().enumerate().filter_map(|(k, said)| Some((k, said.as_ref()?.open.as_ref()?)));
         let mut by_key: Vec<(usize, &OpenPose)> = open().collect();
         by_key.sort_by_key(|(subject, _)| &keys[*subject]);
-        let by_key: Vec<&OpenPose> = by_key.into_iter().map(|(_, pose)| pose).collect();
-        let symmetries = symmetries(&by_key);
-        let (mut tasks, mut all) = (Vec::new(), Vec::new());
-        for (subject, pose) in open() {
+        let symmetries = symmetries(&by_key.iter().map(|(_, pose)| *pose).collect::<Vec<_>>());
+        let mut left = PER_SUBJECT * keys.len();
+        let mut followed: Vec<(usize, Vec<[[f64; 3]; 3]>)> = Vec::new();
+        for (subject, pose) in by_key {
             let rotations = poses(pose, &symmetries);
+            if rotations.len() <= left {
+                left -= rotations.len();
+                followed.push((subject, rotations));
+            }
+        }
+        followed.sort_by_key(|(subject, _)| *subject);
+        let (mut tasks, mut all) = (Vec::new(), Vec::new());
+        for (subject, rotations) in followed {
             let of: Vec<String> = rotations.iter().map(|rotation| key_of(&keys[subject], rotation)).collect();
             tasks.extend(of.iter().zip(&rotations).map(|(key, &rotation)| Task {
                 key: key.clone(),

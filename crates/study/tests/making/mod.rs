@@ -30,7 +30,7 @@ pub(crate) enum Extra {
     None,
     /// Maps are revised together.
     Joint,
-    /// All subjects but a quarter, and at least six, are ambiguous, with as many other poses as are followed.
+    /// Half of the subjects are ambiguous, with as many other poses as are followed.
     Rivals,
     /// Every person has two visits and a template of its own.
     OwnTemplates,
@@ -169,7 +169,7 @@ pub(crate) fn made_with(
                 (Some(k), _) => of_subject(k),
                 (None, own_of) => own[own_of.unwrap()].mesh.clone(),
             };
-            let is_open = extra == Extra::Rivals && task.target.is_some_and(|k| k >= (subjects / 4).max(6));
+            let is_open = extra == Extra::Rivals && task.target.is_some_and(|k| k >= subjects.div_ceil(2));
             // In another pose, the map is wrong.
             let mirrored = |p: &Point3<f64>| Point3::new(p.x, p.y, if task.rival.is_some() { -p.z } else { p.z });
             let onto = onto.with_vertices(onto.vertices().iter().map(mirrored).collect()).unwrap();

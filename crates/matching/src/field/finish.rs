@@ -78,12 +78,13 @@ pub(crate) fn finish_fit(
         let variances = vec![residual_mm * residual_mm; moved.len()];
         return Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }));
     }
-    let Some(mut variances) = uncertainty::variances(displacement, (&started, &at_smooth), full_source.vertices())
-    else {
+    let Some(posterior) = uncertainty::posterior(displacement, (&started, &at_smooth), full_source.vertices()) else {
         return Ok(None);
     };
+    let mut variances = posterior.variances;
     // Copies start from their own pose, and bent surfaces have no axis: neither needs rotations in the variance.
-    if !rigid.copies
+    if posterior.second_order > 1.0
+        && !rigid.copies
         && !is_of_forms
         && let Some(of_starts) = spread_of_rotations(displacement, full_source.vertices(), &reached)?
     {

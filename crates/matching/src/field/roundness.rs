@@ -1,12 +1,13 @@
-//! Nearly round surfaces: spread of the answers from starts that are rotated about an axis.
+//! Spread of the answers from starts that are rotated about the axis about which a surface is most nearly round.
 //!
 //! The rotation of a surface of revolution about its axis cannot be determined; the rotation of a nearly round surface
 //! hardly can. A smooth deformation compensates for a wrong rotation, so that each start ends at a different answer
-//! with nearly the same misfit (docs/findings.md). The posterior of one field covers only the surroundings of its own
-//! answer. So if a rotation hardly raises the misfit, the field is fitted from several rotations, and their spread,
-//! weighted by probability, is added to the variance.
+//! with nearly the same misfit (docs/findings.md). The posterior of one field is that of a linear model and covers only
+//! the surroundings of its own answer. Where displacements along the surface change heights by more than their noise
+//! ([`super::uncertainty::DisplacementPosterior::second_order`]), that is not enough: the field is fitted from several
+//! rotations, and their spread, weighted by probability, is added to the variance.
 
-use super::coarse::{coarse_alone, screening};
+use super::coarse::coarse_alone;
 use super::displacement::FitContext;
 use super::fine::fine_aside;
 use super::fine_misfit::fine_misfit;
@@ -19,19 +20,13 @@ use homolog_registration::RigidTransform;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-/// Rotations about the axis from which the field is fitted, degrees. The first [`PROBED`] of them decide whether it is
-/// fitted from all.
+/// Rotations about the axis from which the field is fitted, degrees.
 const ANGLES_DEG: [f64; 5] = [0.0, -20.0, 20.0, -40.0, 40.0];
-/// Rotations at which the misfit is evaluated first.
-const PROBED: usize = 3;
-/// Mean rise of the misfit at the probed angles below which the rotation is poorly determined.
-const FLAT: f64 = 0.024;
 
 /// Mean squared distance, at each of the `points` of the source, of several fits from their mean, mm². The fits begin
-/// at `pose`, rotated about the axis about which the source is most nearly round. `None` if the misfit determines the
-/// rotation, or if a number is not finite.
+/// at `pose`, rotated about the axis about which the source is most nearly round. `None` if a number is not finite.
 ///
-/// Cost: six steps on few points if the rotation is determined, otherwise five times the first three stages.
+/// Cost: five times the first three stages.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -44,9 +39,6 @@ pub(crate) fn spread_of_rotations(
         return Ok(None);
     };
     let starts = ANGLES_DEG.map(|angle| axis.rotated(pose, angle.to_radians()));
-    if !is_flat(displacement, &starts[..PROBED]) {
-        return Ok(None);
-    }
     let values = displacement.functions.values(points);
     let fits: Vec<Option<(f64, Vec<Point3<f64>>)>> = starts
         .par_iter()
@@ -61,15 +53,6 @@ pub(crate) fn spread_of_rotations(
         .collect::<Result<_, MatchError>>()?;
     let Some(fits) = fits.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
     Ok(spread(&fits, displacement.options))
-}
-
-/// Whether the mean misfit of the other starts is less than [`FLAT`] above that of the first.
-fn is_flat(displacement: &FitContext<'_>, starts: &[RigidTransform]) -> bool {
-    let Some(found) = starts.par_iter().map(screening(displacement)).collect::<Option<Vec<f64>>>() else {
-        return false;
-    };
-    let others = &found[1..];
-    others.iter().sum::<f64>() / (others.len() as f64) < found[0] + FLAT
 }
 
 /// Mean squared distance of `fits`, each a misfit and moved points, from their mean at each point, mm², weighted by

@@ -63,24 +63,34 @@ pub(super) struct ObservationSample {
     features: Vec<Vec<(f64, Vector3<f64>)>>,
 }
 
-/// The posterior variance of the displacement at each of the `points` of the source, mm², where the vertices of its
-/// smooth version are displaced from `start` to `moved`. `None` if a number is not finite.
+/// Posterior of a displacement.
+pub(super) struct DisplacementPosterior {
+    /// The variance at each point, mm².
+    pub variances: Vec<f64>,
+    /// Mean square of the error of heights by displacements along the surface, over that of their noise. The variances
+    /// hold for a linear model; from 1 on, heights are less certain by what that leaves out than by noise.
+    pub second_order: f64,
+}
+
+/// The posterior of the displacement at each of the `points` of the source, where the vertices of its smooth version are
+/// displaced from `start` to `moved`. `None` if a number is not finite.
 ///
 /// # Cost
 /// `O(N³ + N · points)` for `N` observed components, at most `MOST_HEIGHTS + 2 MOST_FEATURES`.
-pub(super) fn variances(
+pub(super) fn posterior(
     displacement: &FitContext<'_>,
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
     points: &[Point3<f64>],
-) -> Option<Vec<f64>> {
+) -> Option<DisplacementPosterior> {
     let sample = ObservationSample::of(displacement, (start, moved), MOST_HEIGHTS);
     // Copies have no displacement, so no kernel is found.
     let Some((prior, noise_mm)) = sample.prior(displacement) else {
-        return Some(vec![0.0; points.len()]);
+        return Some(DisplacementPosterior { variances: vec![0.0; points.len()], second_order: 0.0 });
     };
     let at = displacement.functions.coordinates(&sample.points);
     let of_sample = sample.posterior(&at, &prior, noise_mm, displacement.lengths.root_mm)?;
-    Some(sample.spread_to(points, &of_sample))
+    let variances = sample.spread_to(points, &of_sample.variances);
+    Some(DisplacementPosterior { variances, second_order: of_sample.second_order })
 }
 
 /// This kernel and the octaves below it. A process with one Gaussian kernel has infinitely many derivatives, and
@@ -192,14 +202,20 @@ impl ObservationSample {
         (variance > 0.0).then(|| Noise { variance, correlated: self.correlated_area(&differences, root_mm) })
     }
 
-    /// The posterior variance of the displacement at every few of the points, at most [`MOST_VARIANCES`], mm², for this
-    /// prior and noise along the normals. `at`: the points in the coordinates of the prior.
+    /// The posterior of the displacement at every few of the points, at most [`MOST_VARIANCES`], for this prior and noise
+    /// along the normals. `at`: the points in the coordinates of the prior.
     ///
     /// A height equals the component of the displacement along the normal only where the target is flat: if its point
     /// is off by `δ` along the surface, the height is off by `½ δᵀ W δ`. This error is noise of the height, whose
     /// variance follows from the posterior variance of `δ`, at the nearest point where it is computed. Both are iterated
     /// from zero error, growing until they converge.
-    fn posterior(&self, at: &[Point3<f64>], prior: &SmoothPrior, noise_mm: f64, root_mm: f64) -> Option<Vec<f64>> {
+    fn posterior(
+        &self,
+        at: &[Point3<f64>],
+        prior: &SmoothPrior,
+        noise_mm: f64,
+        root_mm: f64,
+    ) -> Option<DisplacementPosterior> {
         let center = Point3::from(at.iter().map(|p| p.coords).sum::<Vector3<f64>>() / at.len().max(1) as f64);
         let every = every(at.len(), MOST_VARIANCES);
         let of: Vec<Point3<f64>> = at.iter().step_by(every).copied().collect();
@@ -230,7 +246,9 @@ impl ObservationSample {
                 noise[i] = of_height + self.bending[i] * slid * slid * (correlated[k] / self.areas[i]).max(1.0);
             }
         }
-        Some(variances)
+        let over_area = |values: &[f64]| values.iter().zip(&self.areas).map(|(value, area)| value * area).sum::<f64>();
+        let second_order = over_area(&noise[..at.len()]) / over_area(&of_heights).max(f64::MIN_POSITIVE) - 1.0;
+        Some(DisplacementPosterior { variances, second_order })
     }
 
     /// The index of the nearest to `p` among every `every`-th point.
@@ -385,9 +403,13 @@ mod tests {
         let prior = SmoothPrior { translation_mm: 1.0, linear: 0.05, kernels: vec![kernel] };
         for radius_mm in [9.0, 12.0, 30.0] {
             let (mut sample, at) = cap(radius_mm);
-            let curved: f64 = sample.posterior(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
+            let found = sample.posterior(&at, &prior, 0.02, 12.0).unwrap();
+            let curved: f64 = found.variances.iter().sum();
+            assert!(found.second_order > 0.0);
             sample.bending.fill(0.0);
-            let linear: f64 = sample.posterior(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
+            let found = sample.posterior(&at, &prior, 0.02, 12.0).unwrap();
+            let linear: f64 = found.variances.iter().sum();
+            assert!(found.second_order.abs() < 1e-12);
             let none = ComponentPosterior::new(&prior, &Point3::origin(), &[], &at).covariances(&[]).unwrap();
             let of_prior: f64 = (0..at.len()).map(|k| none[(k, k)]).sum();
             assert!(curved > 1.02 * linear && curved < of_prior, "{radius_mm}: {linear} {curved} {of_prior}");
@@ -395,7 +417,8 @@ mod tests {
         // A plane does not limit sliding along it, and without sliding there is no error of linearization.
         let still = SmoothPrior { translation_mm: 0.0, linear: 0.0, kernels: Vec::new() };
         let (sample, at) = cap(9.0);
-        assert!(sample.posterior(&at, &still, 0.02, 12.0).unwrap().iter().all(|variance| *variance < 1e-12));
+        let found = sample.posterior(&at, &still, 0.02, 12.0).unwrap();
+        assert!(found.variances.iter().all(|variance| *variance < 1e-12) && found.second_order < 1e-12);
     }
 
     #[test]

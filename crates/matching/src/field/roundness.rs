@@ -21,12 +21,12 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
 /// Rotations about the axis from which the field is fitted, degrees.
-const ANGLES_DEG: [f64; 5] = [0.0, -20.0, 20.0, -40.0, 40.0];
+const ANGLES_DEG: [f64; 3] = [0.0, -20.0, 20.0];
 
 /// Mean squared distance, at each of the `points` of the source, of several fits from their mean, mm². The fits begin
 /// at `pose`, rotated about the axis about which the source is most nearly round. `None` if a number is not finite.
 ///
-/// Cost: five times the first three stages.
+/// Cost: three times the first three stages.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].

@@ -59,7 +59,7 @@ pub(crate) fn choose_pose(
 ) -> Result<Option<Chosen>, MatchError> {
     let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
     let coarse = CoarseStage::new(displacement);
-    let found = coarse.from_all(&followed.iter().map(|&k| poses[k].pose).collect::<Vec<_>>())?;
+    let found = coarse.fit_all(&followed.iter().map(|&k| poses[k].pose).collect::<Vec<_>>())?;
     let mut compared: Vec<(ScreenedPose, State)> = Vec::new();
     for (&index, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
@@ -131,7 +131,7 @@ fn best_symmetric(
     let displacement = coarse.displacement;
     let are_same = |a: &RigidTransform, b: &RigidTransform| displacement.are_same(a, b, SAME_POSE_ANGLE);
     let missing = missing_poses(&comparison.as_good, are_same);
-    let found = coarse.from_all(&missing)?;
+    let found = coarse.fit_all(&missing)?;
     let found = missing.into_iter().zip(found).filter_map(|(pose, found)| {
         let (misfit, state) = found?;
         let (origin, mirrored) = (Origin::Symmetric(of_winner, pose), pose.is_reflection());
@@ -162,7 +162,7 @@ impl<'a> CoarseStage<'a> {
 
     /// The misfit and the field from each of `poses`; `None` where a number is not finite. One task per pose: a single
     /// step is too short to share between cores.
-    fn from_all(&self, poses: &[RigidTransform]) -> Result<Vec<Option<(f64, State)>>, MatchError> {
+    fn fit_all(&self, poses: &[RigidTransform]) -> Result<Vec<Option<(f64, State)>>, MatchError> {
         let displacement = self.displacement;
         let from = |pose: &RigidTransform| {
             checkpoint(displacement.observer)?;

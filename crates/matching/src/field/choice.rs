@@ -1,7 +1,7 @@
 //! Choice of the rigid pose: candidate poses are compared after the coarse stage of their displacements.
 
-use super::base::{InitialMap, State};
-use super::coarse::{coarse_from, screening};
+use super::base::State;
+use super::coarse::{CoarseStage, screening};
 use super::displacement::FitContext;
 use super::rivals::{Candidate, Comparison, compare_candidates};
 use super::symmetries::missing_poses;
@@ -9,10 +9,7 @@ use crate::error::MatchError;
 use crate::pair::assignment::displaced;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
 use crate::starts::start_pose::StartPose;
-use crate::surface::smooth::Subsample;
-use faer::Mat;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::alignment::AssignmentTarget;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use rayon::prelude::*;
 
@@ -140,37 +137,6 @@ fn best_symmetric(
         (misfit < winner.compared.misfit).then_some(Candidate { compared, pose, state })
     });
     Ok(found.min_by(|a, b| a.compared.misfit.total_cmp(&b.compared.misfit)))
-}
-
-/// The coarse stage from any pose.
-struct CoarseStage<'a> {
-    displacement: &'a FitContext<'a>,
-    source: Subsample,
-    target: AssignmentTarget,
-    /// The functions of the field at the samples of the source.
-    values: Mat<f64>,
-}
-
-impl<'a> CoarseStage<'a> {
-    fn new(displacement: &'a FitContext<'a>) -> Self {
-        let n = displacement.options.coarse.n_samples;
-        let source = displacement.source.thinned(n);
-        let target = displacement.target.thinned(n).assignment_target();
-        let values = displacement.guides.below(displacement.functions.values(&source.points));
-        CoarseStage { displacement, source, target, values }
-    }
-
-    /// The misfit and the field from each of `poses`; `None` where a number is not finite. One task per pose: a single
-    /// step is too short to share between cores.
-    fn fit_all(&self, poses: &[RigidTransform]) -> Result<Vec<Option<(f64, State)>>, MatchError> {
-        let displacement = self.displacement;
-        let from = |pose: &RigidTransform| {
-            checkpoint(displacement.observer)?;
-            let (base, schedule) = (InitialMap::rigid(*pose), displacement.schedule(&displacement.options.coarse));
-            Ok(coarse_from(displacement, &base, &self.source, &self.target, &self.values, schedule))
-        };
-        poses.par_iter().map(from).collect()
-    }
 }
 
 /// The pose from which the displacement continues.

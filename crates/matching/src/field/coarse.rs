@@ -3,29 +3,58 @@
 use super::base::{InitialMap, State};
 use super::displacement::FitContext;
 use super::schedule::Schedule;
+use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced, kernel, observed_means, precision_of_features};
 use crate::surface::smooth::{N_FEATURES, Subsample};
 use faer::Mat;
+use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, assign, misfit};
 use homolog_registration::deformation::fit_field;
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
 
 /// The field after the coarse stage from a single pose that an earlier fit has found.
 pub(crate) fn coarse_alone(displacement: &FitContext<'_>, pose: &RigidTransform) -> Option<State> {
-    let settings = &displacement.options.coarse;
-    let n = settings.n_samples;
-    let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
-    let values = displacement.guides.below(displacement.functions.values(&source.points));
-    let found = coarse_from(
-        displacement,
-        &InitialMap::rigid(*pose),
-        &source,
-        &target,
-        &values,
-        displacement.schedule(&settings.in_steps(displacement.options.choice.steps_from_known_pose)),
-    );
-    found.map(|(_, state)| state)
+    let settings = displacement.options.coarse.in_steps(displacement.options.choice.steps_from_known_pose);
+    CoarseStage::new(displacement).fit(pose, displacement.schedule(&settings)).map(|(_, state)| state)
+}
+
+/// The coarse stage from any pose.
+pub(crate) struct CoarseStage<'a> {
+    pub displacement: &'a FitContext<'a>,
+    pub source: Subsample,
+    target: AssignmentTarget,
+    /// The functions of the field at the points of `source`.
+    pub values: Mat<f64>,
+}
+
+impl<'a> CoarseStage<'a> {
+    pub(crate) fn new(displacement: &'a FitContext<'a>) -> Self {
+        let n = displacement.options.coarse.n_samples;
+        let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
+        let values = displacement.guides.below(displacement.functions.values(&source.points));
+        CoarseStage { displacement, source, target, values }
+    }
+
+    /// The misfit and the field from each of `poses`; `None` where a number is not finite. One task per pose: a single
+    /// step is too short to share between cores.
+    ///
+    /// # Errors
+    /// [`MatchError::Cancelled`].
+    pub(crate) fn fit_all(&self, poses: &[RigidTransform]) -> Result<Vec<Option<(f64, State)>>, MatchError> {
+        let displacement = self.displacement;
+        let from = |pose: &RigidTransform| {
+            checkpoint(displacement.observer)?;
+            Ok(self.fit(pose, displacement.schedule(&displacement.options.coarse)))
+        };
+        poses.par_iter().map(from).collect()
+    }
+
+    fn fit(&self, pose: &RigidTransform, schedule: Schedule) -> Option<(f64, State)> {
+        let base = InitialMap::rigid(*pose);
+        coarse_from(self.displacement, &base, &self.source, &self.target, &self.values, schedule)
+    }
 }
 
 /// Returns a function that gives the misfit of a pose after a few steps on few vertices; `None` if a number is not

@@ -111,7 +111,8 @@ pub(crate) fn compare_candidates(
         }
         if others.iter().any(|(finer, _)| *finer == ComparisonOutcome::AsGood) {
             let is_as_good = |(finer, found): &&(ComparisonOutcome, &ComparedFit)| {
-                *finer != ComparisonOutcome::Same && !own.is_distinct_from(found, displacement)
+                let is_of_other_hand = found.pose.is_reflection() != own.pose.is_reflection();
+                *finer == ComparisonOutcome::AsGood || is_of_other_hand && !own.is_distinct_from(found, displacement)
             };
             as_good.push(own.pose);
             as_good.extend(others.iter().filter(is_as_good).map(|(_, found)| found.pose));

@@ -176,9 +176,23 @@ impl ClosestPointIndex {
 
     /// The closest point of the surface; `O(log n)` on surfaces.
     pub fn closest(&self, query: &Point3<f64>) -> ClosestPoint {
+        self.closest_within(query, f64::MAX)
+    }
+
+    /// [`ClosestPointIndex::closest`] to the bit, faster if `near` is a closest point of a query nearby: boxes that are
+    /// farther away than its triangle are skipped from the start.
+    pub fn closest_from(&self, query: &Point3<f64>, near: &ClosestPoint) -> ClosestPoint {
+        let point = Vector::new(query.x, query.y, query.z);
+        let distance = (self.projected(near.triangle, point).0 - point).length();
+        // The distance of the triangle itself is below this bound.
+        self.closest_within(query, distance * (1.0 + 1e-9) + f64::MIN_POSITIVE)
+    }
+
+    /// The closest point of a surface that has points closer than `bound`, mm.
+    fn closest_within(&self, query: &Point3<f64>, bound: f64) -> ClosestPoint {
         let at = [query.x, query.y, query.z];
         let point = Vector::new(query.x, query.y, query.z);
-        let mut best = Best::at(f64::MAX);
+        let mut best = Best::at(bound);
         // Result where no distance is a number.
         let mut found = (0, point, TrianglePointLocation::OnVertex(0));
         // Deferred nodes with their squared distances.
@@ -200,7 +214,7 @@ impl ClosestPointIndex {
                 let child = node.children[side];
                 if child & LEAF != 0 {
                     let triangle = child & !LEAF;
-                    let (place, location) = self.projected(triangle, point);
+                    let (place, location) = self.projected(self.triangles[triangle as usize], point);
                     let distance = (place - point).length();
                     if distance < best.distance {
                         best = Best::at(distance);
@@ -237,8 +251,8 @@ impl ClosestPointIndex {
         }
     }
 
-    fn projected(&self, triangle: u32, point: Vector) -> (Vector, TrianglePointLocation) {
-        let [a, b, c] = self.triangles[triangle as usize].map(|k| self.vertices[k as usize]);
+    fn projected(&self, triangle: [u32; 3], point: Vector) -> (Vector, TrianglePointLocation) {
+        let [a, b, c] = triangle.map(|k| self.vertices[k as usize]);
         let (projection, location) = Triangle::new(a, b, c).project_local_point_and_get_location(point, false);
         (projection.point, location)
     }
@@ -281,10 +295,12 @@ mod tests {
             // Round coordinates lie on planes of symmetry, where several triangles are equally close.
             let query = Point3::from(at.map(|x| scale * if rounded { x.round() } else { x }));
             prop_assert_eq!(index.closest(&query), by_parry(&tree, &query));
+            let near = index.closest(&query);
             for vertex in mesh.vertices().iter().step_by(17) {
                 let outside = Point3::from(vertex.coords * 1.01);
                 for query in [*vertex, outside] {
                     prop_assert_eq!(index.closest(&query), by_parry(&tree, &query));
+                    prop_assert_eq!(index.closest_from(&query, &near), by_parry(&tree, &query));
                 }
             }
         }

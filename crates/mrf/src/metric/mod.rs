@@ -141,14 +141,25 @@ impl MetricModel {
     /// Iterated conditional modes: variables in turn take the label that costs least (ties go to the lowest), until
     /// none changes or `sweeps` are over. The energy never rises. Cost `O(sweeps · K · edges)`.
     pub fn descend(&self, mut labeling: Labeling, sweeps: usize) -> Labeling {
+        // A variable whose neighbors have not changed since its last turn would take the same label again.
+        let mut has_turn = vec![true; self.n_variables];
         for _ in 0..sweeps {
             let mut changed = false;
             for i in 0..self.n_variables {
+                if !std::mem::replace(&mut has_turn[i], false) {
+                    continue;
+                }
                 let cost = self.conditional(i, &labeling);
                 let best = lowest(&cost);
                 if cost[best] < cost[labeling[i] as usize] {
                     labeling[i] = best as u32;
                     changed = true;
+                    for &edge in &self.edges_of[i] {
+                        self.edges[edge as usize]
+                            .ends
+                            .iter()
+                            .for_each(|&end| has_turn[end as usize] |= end as usize != i);
+                    }
                 }
             }
             if !changed {

@@ -4,8 +4,8 @@
 //! oppose. Every target point is assigned to the source points or to the background: `w_ij = a_j g_ij / (b + Σ_i a_i
 //! g_ij)`.
 //!
-//! Consecutive target points form a block with a bounding box; a source point visits only the blocks whose box is
-//! within its reach.
+//! Consecutive target points form a block; a source point visits only the blocks whose bounding box is within its reach
+//! and whose normals do not all oppose its own.
 
 use super::{Block, LANES, LanePoint, Lanes, OrientedPoints, PackedPoints};
 use super::{flat_density, mean_misfit, normal_agreements, squared_distances};
@@ -48,6 +48,8 @@ pub struct Assignment {
 pub struct AssignmentTarget {
     packed: PackedPoints,
     boxes: Boxes,
+    /// Ranges of the normals of each block.
+    normals: Boxes,
     areas: Vec<f64>,
 }
 
@@ -58,12 +60,17 @@ impl AssignmentTarget {
         let n_features = target.features.len() / n.max(1);
         let origin = target.points.first().map_or(Vector3::zeros(), |p| p.coords);
         let packed = PackedPoints::new(n, n_features, origin, |j| target.point(j, n_features));
-        let corner = |fold: fn(f32, f32) -> f32, start: f32| {
-            let of_block = |block: &Block, axis: usize| block.coordinates(axis).fold(start, fold);
+        let corner = |lanes: fn(&Block) -> &[Lanes; 3], fold: fn(f32, f32) -> f32, start: f32| {
+            let of_block = |block: &Block, axis: usize| block.actual(&lanes(block)[axis]).fold(start, fold);
             std::array::from_fn(|axis| packed.blocks.iter().map(|block| of_block(block, axis)).collect())
         };
-        let boxes = Boxes { low: corner(f32::min, f32::INFINITY), high: corner(f32::max, f32::NEG_INFINITY) };
-        AssignmentTarget { packed, boxes, areas: target.areas.to_vec() }
+        let range = |lanes| Boxes {
+            low: corner(lanes, f32::min, f32::INFINITY),
+            high: corner(lanes, f32::max, f32::NEG_INFINITY),
+        };
+        let boxes = range(|block| &block.position);
+        let normals = range(|block| &block.normal);
+        AssignmentTarget { packed, boxes, normals, areas: target.areas.to_vec() }
     }
 }
 
@@ -154,7 +161,7 @@ fn misfit_of(
     0.5 * (mean_misfit(of_source, source.areas.iter().copied()) + mean_misfit(of_target, target.areas.iter().copied()))
 }
 
-/// Corners of the bounding boxes of the blocks, coordinate by coordinate.
+/// Corners of the bounding boxes of the blocks, or of their normals, coordinate by coordinate.
 struct Boxes {
     low: [Vec<f32>; 3],
     high: [Vec<f32>; 3],
@@ -164,6 +171,7 @@ struct Boxes {
 struct Affinities<'t> {
     target: &'t PackedPoints,
     boxes: &'t Boxes,
+    normals: &'t Boxes,
     /// `1/2σ²`.
     inverse_width: f32,
     /// Squared reach, mm².
@@ -223,6 +231,7 @@ impl<'t> Affinities<'t> {
         Affinities {
             target: &target.packed,
             boxes: &target.boxes,
+            normals: &target.normals,
             inverse_width: (0.5 / (kernel.sigma_mm * kernel.sigma_mm)) as f32,
             reach_squared: (reach_mm * reach_mm) as f32,
             normal_weight: kernel.normal_weight as f32,
@@ -241,10 +250,10 @@ impl<'t> Affinities<'t> {
         chunks.par_iter().map(|chunk| self.rows(source, chunk.clone())).collect()
     }
 
-    /// The affinities of some source points with all points within reach.
+    /// The affinities of some source points with all points within reach whose normals do not oppose.
     fn rows(&self, source: &OrientedPoints<'_>, points: Range<usize>) -> Rows {
         let n_blocks = self.target.blocks.len();
-        let (mut features, mut squared) = (Vec::new(), vec![0.0; n_blocks]);
+        let (mut features, mut squared, mut agreement) = (Vec::new(), vec![0.0; n_blocks], vec![0.0; n_blocks]);
         let mut rows = Rows {
             points: points.clone(),
             ends: Vec::with_capacity(points.len()),
@@ -256,11 +265,12 @@ impl<'t> Affinities<'t> {
         for i in points {
             let point = self.lane_point(source, i, &mut features);
             distances_from_boxes(self.boxes, &point.position, &mut squared);
+            greatest_agreements(self.normals, &point.normal, &mut agreement);
             // Whether a block is within reach is hard to predict, so it is always written, and counted only if it is.
             let mut n_within = 0;
-            for (b, &squared) in squared.iter().enumerate() {
+            for (b, (&squared, &agreement)) in squared.iter().zip(&agreement).enumerate() {
                 within[n_within] = b as u32;
-                n_within += usize::from(squared <= self.reach_squared);
+                n_within += usize::from((squared <= self.reach_squared) & (agreement > 0.0));
             }
             let start = rows.blocks.len();
             let end = start + n_within;
@@ -330,6 +340,20 @@ fn distances_from_boxes(boxes: &Boxes, at: &[f32; 3], squared: &mut [f32]) {
             let outside = if below > above { below } else { above };
             let outside = if outside > 0.0 { outside } else { 0.0 };
             *sum += outside * outside;
+        }
+    }
+}
+
+/// An upper bound of `⟨n, n'⟩` of `normal` with the normals of every block. Products and sums are rounded in the order
+/// of [`normal_agreements`], and rounding is monotonic, so no agreement is greater.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn greatest_agreements(normals: &Boxes, normal: &[f32; 3], agreement: &mut [f32]) {
+    agreement.fill(0.0);
+    for (k, &n) in normal.iter().enumerate() {
+        for ((sum, low), high) in agreement.iter_mut().zip(&normals.low[k]).zip(&normals.high[k]) {
+            let (a, b) = (low * n, high * n);
+            *sum += if a > b { a } else { b };
         }
     }
 }

@@ -53,9 +53,10 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// Coordinate `axis` of the actual points.
-    pub(super) fn coordinates(&self, axis: usize) -> impl Iterator<Item = f32> {
-        self.position[axis].into_iter().filter(|&x| x < NOWHERE)
+    /// Those of `values` that belong to actual points.
+    pub(super) fn actual(&self, values: &Lanes) -> impl Iterator<Item = f32> {
+        let n = self.position[0].iter().filter(|&&x| x < NOWHERE).count();
+        values.iter().take(n).copied()
     }
 }
 

@@ -3,8 +3,11 @@
 use super::base::State;
 use super::coarse::{CoarseStage, screening};
 use super::displacement::FitContext;
+use super::fine::fine;
+use super::fitted::FineStageFit;
 use super::rivals::{Candidate, Comparison, compare_candidates};
 use super::symmetries::missing_poses;
+use crate::energy::lead::EnergyLead;
 use crate::error::MatchError;
 use crate::pair::assignment::displaced;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
@@ -52,6 +55,7 @@ impl ScreenedPose {
 pub(crate) fn choose_pose(
     displacement: &FitContext<'_>,
     poses: &[StartPose],
+    energy: Option<&EnergyLead>,
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
     let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
@@ -97,9 +101,9 @@ pub(crate) fn choose_pose(
     let candidates = kept
         .iter()
         .zip(states)
-        .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state })
+        .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state, fit: None })
         .collect();
-    let mut comparison = compare_candidates(displacement, candidates)?;
+    let mut comparison = compare_candidates(displacement, candidates, energy)?;
     if let Some(symmetric) = best_symmetric(&coarse, &comparison, poses)? {
         // Starts that are no worse than the winner are compared anew, after the symmetric pose.
         let Comparison { mut candidates, .. } = comparison;
@@ -109,11 +113,17 @@ pub(crate) fn choose_pose(
             }
         }
         candidates.insert(1, symmetric);
-        comparison = compare_candidates(displacement, candidates)?;
+        comparison = compare_candidates(displacement, candidates, energy)?;
     }
     let compared = comparison.candidates.iter().map(|candidate| candidate.compared).collect();
     let winner = comparison.candidates.into_iter().next();
-    Ok(winner.map(|Candidate { pose, state, .. }| Chosen { pose, state, compared }))
+    Ok(winner.map(|Candidate { pose, state, fit, .. }| {
+        let end = match fit {
+            Some(fit) => ChosenEnd::Fine(Box::new(fit.fine)),
+            None => ChosenEnd::Coarse(state),
+        };
+        Chosen { pose, end, compared }
+    }))
 }
 
 /// The best pose that an approximate symmetry of the surface leads to and that is no start; `None` if it has a higher
@@ -134,7 +144,7 @@ fn best_symmetric(
         let (origin, mirrored) = (Origin::Symmetric(of_winner, pose), pose.is_reflection());
         let misfit = misfit + poses[of_winner].excess;
         let compared = ComparedPose { origin, mirrored, misfit, finer: ComparisonOutcome::Undecided };
-        (misfit < winner.compared.misfit).then_some(Candidate { compared, pose, state })
+        (misfit < winner.compared.misfit).then_some(Candidate { compared, pose, state, fit: None })
     });
     Ok(found.min_by(|a, b| a.compared.misfit.total_cmp(&b.compared.misfit)))
 }
@@ -142,10 +152,34 @@ fn best_symmetric(
 /// The pose from which the displacement continues.
 pub(crate) struct Chosen {
     pub pose: RigidTransform,
-    /// The field over it after the coarse stage.
-    pub state: State,
+    /// The field over it.
+    pub end: ChosenEnd,
     /// The starts that were compared, the chosen one first.
     pub compared: Vec<ComparedPose>,
+}
+
+/// The field over the chosen pose: after the stage at which it was chosen.
+pub(crate) enum ChosenEnd {
+    Coarse(State),
+    Fine(Box<FineStageFit>),
+}
+
+impl ChosenEnd {
+    /// The field after the fine stage, reported to the energy trace. `None` if a number is not finite.
+    ///
+    /// # Errors
+    /// [`MatchError::Cancelled`].
+    pub(crate) fn fine(self, displacement: &FitContext<'_>) -> Result<Option<FineStageFit>, MatchError> {
+        match self {
+            ChosenEnd::Coarse(state) => fine(displacement, state),
+            ChosenEnd::Fine(mut fine) => {
+                if let Some(fit) = &mut fine.fit {
+                    displacement.observer.keep(fit);
+                }
+                Ok(Some(*fine))
+            }
+        }
+    }
 }
 
 /// Indices of the poses to follow, by misfit after a few steps on few vertices: the best of each handedness, and for a

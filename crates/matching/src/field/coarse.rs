@@ -16,8 +16,7 @@ use rayon::prelude::*;
 
 /// The field after the coarse stage from a single pose that an earlier fit has found.
 pub(crate) fn coarse_alone(displacement: &FitContext<'_>, pose: &RigidTransform) -> Option<State> {
-    let settings = displacement.options.coarse.in_steps(displacement.options.choice.steps_from_known_pose);
-    CoarseStage::new(displacement).fit(pose, displacement.schedule(&settings)).map(|(_, state)| state)
+    CoarseStage::new(displacement).fit(pose).map(|(_, state)| state)
 }
 
 /// The coarse stage from any pose.
@@ -46,12 +45,13 @@ impl<'a> CoarseStage<'a> {
         let displacement = self.displacement;
         let from = |pose: &RigidTransform| {
             checkpoint(displacement.observer)?;
-            Ok(self.fit(pose, displacement.schedule(&displacement.options.coarse)))
+            Ok(self.fit(pose))
         };
         poses.par_iter().map(from).collect()
     }
 
-    fn fit(&self, pose: &RigidTransform, schedule: Schedule) -> Option<(f64, State)> {
+    fn fit(&self, pose: &RigidTransform) -> Option<(f64, State)> {
+        let schedule = self.displacement.schedule(&self.displacement.options.coarse);
         let base = InitialMap::rigid(*pose);
         coarse_from(self.displacement, &base, &self.source, &self.target, &self.values, schedule)
     }

@@ -9,6 +9,7 @@ use super::track::{Assigned, BaseEvaluation, assigned};
 use crate::error::MatchError;
 use crate::pair::assignment::{displaced, kernel, observed_means, precision_of_features};
 use crate::surface::robust::{STD_OF_MAD, median};
+use crate::surface::surface_index::ClosestInSteps;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::deformation::{Observation, fit_field};
 use nalgebra::Point3;
@@ -16,35 +17,30 @@ use rayon::prelude::*;
 
 /// The field after the middle and fine stages.
 pub(crate) fn fine(displacement: &FitContext<'_>, start: State) -> Result<Option<FineStageFit>, MatchError> {
-    let options = displacement.options;
-    fine_in(
-        displacement,
-        start,
-        [&options.middle, &options.fine],
-        options.sliding.across_share,
-        Some(displacement.observer.begin()),
-    )
+    fine_aside(displacement, start, Some(displacement.observer.begin()))
 }
 
-/// [`fine`], not recorded in the energy trace: for auxiliary fits.
-pub(crate) fn fine_aside(displacement: &FitContext<'_>, start: State) -> Result<Option<FineStageFit>, MatchError> {
-    let options = displacement.options;
-    fine_in(displacement, start, [&options.middle, &options.fine], options.sliding.across_share, None)
+/// [`fine`] with its part of the energy trace in `fit`; `None` for an auxiliary fit.
+pub(crate) fn fine_aside(
+    displacement: &FitContext<'_>,
+    start: State,
+    fit: Option<TracedFit>,
+) -> Result<Option<FineStageFit>, MatchError> {
+    fine_in(displacement, start, displacement.options.sliding.across_share, fit)
 }
 
-/// [`fine`] with the settings of both stages, and the share of the assignment's weight that is kept across the normals.
+/// [`fine_aside`] with another share of the assignment's weight that is kept across the normals.
 pub(crate) fn fine_in(
     displacement: &FitContext<'_>,
     start: State,
-    [middle, fine]: [&StageSettings; 2],
     across_share: f64,
     fit: Option<TracedFit>,
 ) -> Result<Option<FineStageFit>, MatchError> {
     let State { base, field, feature_precision } = start;
     let track = BaseEvaluation::new(displacement, base);
     let mut fitted = FineStageFit { track, field, feature_precision, residual_mm: 0.0, across_share, fit };
-    let stays_finite = run_stage(displacement, &mut fitted, middle, Observed::Means)?
-        && run_stage(displacement, &mut fitted, fine, Observed::AlongNormals)?;
+    let stays_finite = run_stage(displacement, &mut fitted, &displacement.options.middle, Observed::Means)?
+        && run_stage(displacement, &mut fitted, &displacement.options.fine, Observed::AlongNormals)?;
     Ok(stays_finite.then_some(fitted))
 }
 
@@ -74,6 +70,7 @@ pub(crate) fn run_stage(
     let starts = track.starts(&thinned);
     let mirrored = track.base.pose.is_reflection();
     let mut schedule = displacement.schedule(stage);
+    let mut closest = ClosestInSteps::default();
     while let Some(at) = schedule.next() {
         checkpoint(displacement.observer)?;
         let sigma_mm = displacement.diagonal_mm * stage.sigma_at(at);
@@ -89,8 +86,9 @@ pub(crate) fn run_stage(
             }
             Observed::AlongNormals => {
                 let (across, along) = (density / (sigma_mm * sigma_mm), density / along_mm(displacement).powi(2));
+                let weights = Weights { along, across: *across_share * across };
                 let (observed, residual) =
-                    sliding(displacement, &assigned, &thinned.counted, &starts, along, *across_share * across);
+                    sliding(displacement, &assigned, (&thinned.counted, &starts), weights, &mut closest);
                 *residual_mm = residual;
                 observed
             }
@@ -110,23 +108,30 @@ fn along_mm(displacement: &FitContext<'_>) -> f64 {
     displacement.options.sliding.along * displacement.lengths.sampling_mm
 }
 
+/// Precisions of observations per unit of area, 1/mm⁴.
+#[derive(Clone, Copy)]
+pub(crate) struct Weights {
+    /// Along the normals of the target.
+    pub along: f64,
+    /// Across them.
+    pub across: f64,
+}
+
 /// Observations along the normals of the closest point of the surface, and with a low weight across the normals of the
-/// assigned means.
+/// assigned means, of points with these `areas` that the base moves to `starts`; and the residual along the normals, mm.
 pub(crate) fn sliding(
     displacement: &FitContext<'_>,
     assigned: &Assigned,
-    areas: &[f64],
-    starts: &[Point3<f64>],
-    along: f64,
-    across: f64,
+    (areas, starts): (&[f64], &[Point3<f64>]),
+    Weights { along, across }: Weights,
+    closest: &mut ClosestInSteps,
 ) -> (Vec<Observation>, f64) {
     let along_mm = along_mm(displacement);
-    let closest = &displacement.target.closest().index;
+    let closest = closest.of(&displacement.target.closest().index, &assigned.points);
     let pairs: Vec<(Observation, f64)> = (0..starts.len())
         .into_par_iter()
         .map(|i| {
-            let p = assigned.points[i];
-            let at = closest.closest(&p);
+            let (p, at) = (assigned.points[i], &closest[i]);
             let blended = at.blend(|k| displacement.target.normals[k]);
             let normal = blended.try_normalize(1e-9).unwrap_or(assigned.normals[i]);
             let to_surface = at.point - p;

@@ -50,6 +50,7 @@ pub(crate) fn finish_fit(
     let (mut fitted, mut at_smooth) = (met(source, own), met(smooth, refined.moved(smooth)));
     // A small surface is not thinned: its field is fitted at all its vertices.
     let mut of_full = (source != full_source).then(|| met(full_source, refined.moved(full_source)));
+    let mut process = None;
     let started = if refined.base.bend.is_some() {
         // The displacement of a bent base is no part of the field.
         refined.started(smooth)
@@ -58,7 +59,7 @@ pub(crate) fn finish_fit(
         if !may_branch(surfaces) {
             let mut sets = vec![PointSet { points: source.vertices(), moved: &mut fitted }];
             sets.extend(of_full.as_mut().map(|moved| PointSet { points: full_source.vertices(), moved }));
-            relax(displacement, &pose_of(displacement, &at_smooth, &reached), &mut at_smooth, &mut sets)?;
+            process = relax(displacement, &pose_of(displacement, &at_smooth, &reached), &mut at_smooth, &mut sets)?;
         }
         let rigid = pose_of(displacement, &at_smooth, &reached);
         smooth.vertices().iter().map(|p| rigid.apply(p)).collect()
@@ -78,7 +79,8 @@ pub(crate) fn finish_fit(
         let variances = vec![residual_mm * residual_mm; moved.len()];
         return Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }));
     }
-    let Some(posterior) = uncertainty::posterior(displacement, (&started, &at_smooth), full_source.vertices()) else {
+    let Some(posterior) = uncertainty::posterior(displacement, (&started, &at_smooth), full_source.vertices(), process)
+    else {
         return Ok(None);
     };
     let mut variances = posterior.variances;
@@ -86,7 +88,7 @@ pub(crate) fn finish_fit(
     if posterior.second_order > 1.0
         && !rigid.copies
         && !is_of_forms
-        && let Some(of_starts) = spread_of_rotations(displacement, full_source.vertices(), &reached)?
+        && let Some(of_starts) = spread_of_rotations(displacement, full_source.vertices(), (&refined.wide, &reached))?
     {
         variances.iter_mut().zip(of_starts).for_each(|(variance, of_starts)| *variance += of_starts);
     }

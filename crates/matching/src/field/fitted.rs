@@ -1,11 +1,12 @@
 //! Fields after their stages.
 
-use super::base::InitialMap;
+use super::base::{InitialMap, State};
 use super::displacement::FitContext;
 use super::functions::Functions;
 use super::trace::TracedFit;
 use super::track::BaseEvaluation;
 use crate::pair::assignment::displaced;
+use crate::pair::lengths::ONE_ANATOMY;
 use crate::surface::smooth::SmoothSurface;
 use faer::Mat;
 use homolog_mesh::SurfaceMesh;
@@ -30,6 +31,17 @@ impl FineStageFit {
     /// The vertices of the source where the field moves them, mm.
     pub(crate) fn moved(&self) -> Vec<Point3<f64>> {
         self.track.moved(&self.field)
+    }
+
+    /// Whether the residual is as large as between two subjects.
+    pub(crate) fn is_of_two_subjects(&self, displacement: &FitContext<'_>) -> bool {
+        self.residual_mm >= ONE_ANATOMY * displacement.lengths.sampling_mm
+    }
+
+    /// The field over its base.
+    pub(crate) fn state(&self) -> State {
+        let FineStageFit { track, field, feature_precision, .. } = self;
+        State { base: track.base.clone(), field: field.clone(), feature_precision: feature_precision.clone() }
     }
 }
 
@@ -56,12 +68,15 @@ pub(crate) struct FinalField {
     /// The second kernel, if the local stage added one: the covariance of the field is then that of the whole
     /// displacement.
     pub local: Option<LocalKernel>,
+    /// The field after the fine stage, in terms of `base_functions`.
+    pub wide: State,
 }
 
 impl FinalField {
     /// The field of the fine stage as the last one.
     pub(crate) fn of_fine_stage(displacement: &FitContext<'_>, fine: FineStageFit) -> FinalField {
         FinalField {
+            wide: fine.state(),
             base: fine.track.base,
             base_functions: displacement.functions.clone(),
             field: fine.field,

@@ -12,14 +12,16 @@
 use super::coarse::coarse_alone;
 use super::deformation_evidence::every;
 use super::displacement::FitContext;
-use super::fine::{fine_in, sliding};
+use super::fine::{Weights, fine_in, sliding};
 use super::fitted::{FinalField, FineStageFit, LocalKernel, pose_of};
 use super::options::DisplacementOptions;
 use super::trace::TracedFit;
 use super::track::{BaseEvaluation, assigned};
 use crate::error::MatchError;
-use crate::pair::assignment::{kernel, precision_of_features};
+use crate::pair::assignment::{displaced, kernel, precision_of_features};
 use crate::pair::progress::PROGRESS_BEFORE_LOCAL;
+use crate::surface::surface_index::ClosestInSteps;
+use homolog_mesh::SurfaceMesh;
 use homolog_primitives::observe::{Observer, checkpoint};
 use homolog_registration::RigidTransform;
 use homolog_registration::deformation::{
@@ -72,35 +74,28 @@ pub(crate) fn local(displacement: &FitContext<'_>, fine: &FineStageFit) -> Resul
             followed_locally(&joint, track, (moved, fine.feature_precision.clone()), joint.observer.begin(), &local)?
         }
     };
-    Ok(found.map(|kept| refined_locally(displacement, &joint, kept, fine.residual_mm, local)))
-}
-
-/// The field from `pose` with the kernel that the fit in the other direction found.
-pub(crate) fn locally_from(
-    displacement: &FitContext<'_>,
-    pose: &RigidTransform,
-    local: &LocalKernel,
-) -> Result<Option<FinalField>, MatchError> {
-    let Some(joint) = with_kernel(displacement, local) else { return Ok(None) };
-    let Some(kept) = fit_from_pose(&joint, pose, local)? else { return Ok(None) };
-    Ok(Some(refined_locally(displacement, &joint, kept, 0.0, *local)))
-}
-
-fn refined_locally(
-    displacement: &FitContext<'_>,
-    joint: &FitContext<'_>,
-    kept: Local,
-    residual_mm: f64,
-    local: LocalKernel,
-) -> FinalField {
-    FinalField {
+    Ok(found.map(|kept| FinalField {
         base: kept.track.base,
         base_functions: displacement.functions.clone(),
         field: kept.field,
         functions: joint.functions.clone(),
-        residual_mm,
+        residual_mm: fine.residual_mm,
         local: Some(local),
-    }
+        wide: fine.state(),
+    }))
+}
+
+/// The vertices of `mesh` moved by the field from `pose` with the kernel that the fit in the other direction found.
+pub(crate) fn moved_locally(
+    displacement: &FitContext<'_>,
+    pose: &RigidTransform,
+    local: &LocalKernel,
+    mesh: &SurfaceMesh,
+) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
+    let Some(joint) = with_kernel(displacement, local) else { return Ok(None) };
+    let Some(Local { track, field }) = fit_from_pose(&joint, pose, local)? else { return Ok(None) };
+    let values = joint.functions.values(mesh.vertices());
+    Ok(Some(displaced(&track.base.moved(mesh.vertices(), &values), &field, &values)))
 }
 
 /// This displacement with a second kernel.
@@ -123,11 +118,7 @@ fn fit_from_pose(
 ) -> Result<Option<Local>, MatchError> {
     let Some(state) = coarse_alone(displacement, pose) else { return Ok(None) };
     let fit = Some(displacement.observer.begin());
-    let options = displacement.options;
-    let [middle, fine] = [&options.middle, &options.fine].map(|stage| stage.in_steps(options.local.stage_steps));
-    let Some(fine) = fine_in(displacement, state, [&middle, &fine], local.across_share, fit)? else {
-        return Ok(None);
-    };
+    let Some(fine) = fine_in(displacement, state, local.across_share, fit)? else { return Ok(None) };
     let moved = fine.moved();
     let fit = fine.fit.unwrap_or_else(|| displacement.observer.begin());
     followed_locally(displacement, fine.track, (moved, fine.feature_precision), fit, local)
@@ -177,15 +168,15 @@ fn followed_locally(
     let mean_area = thinned.areas.iter().sum::<f64>() / thinned.areas.len() as f64;
     let along = settings.point_weight / (mean_area * local.noise_mm * local.noise_mm);
     let across = displacement.density(&displacement.options.fine, 1.0) / (sigma_mm * sigma_mm);
-    let mut fitted: Option<FittedField> = None;
+    let weights = Weights { along, across: local.across_share * across };
+    let (mut fitted, mut closest): (Option<FittedField>, _) = (None, ClosestInSteps::default());
     for _ in 0..settings.steps {
         checkpoint(displacement.observer)?;
         let kernel = kernel(sigma_mm, precision);
         let Some(assigned) = assigned(displacement, &moved, mirrored, &thinned, &target, &kernel) else {
             return Ok(None);
         };
-        let (observed, _) =
-            sliding(displacement, &assigned, &thinned.counted, &starts, along, local.across_share * across);
+        let (observed, _) = sliding(displacement, &assigned, (&thinned.counted, &starts), weights, &mut closest);
         if let Some(field) = &fitted {
             let observations = settings.point_weight * thinned.areas.len() as f64;
             displacement.observer.trace(&mut fit, assigned.found.misfit, field, observations);

@@ -21,11 +21,6 @@ pub(crate) struct StageSettings {
 }
 
 impl StageSettings {
-    /// The stage in another number of steps.
-    pub(crate) fn in_steps(&self, steps: u32) -> StageSettings {
-        StageSettings { steps, ..self.clone() }
-    }
-
     /// Width of the assignment at `progress` through the stage, in diagonals.
     pub(crate) fn sigma_at(&self, progress: f64) -> f64 {
         annealed(self.sigma[0], self.sigma[1], progress)
@@ -69,21 +64,21 @@ impl Default for DisplacementOptions {
             prior: PriorOptions::default(),
             coarse: StageSettings {
                 n_samples: 700,
-                steps: 10,
+                steps: 6,
                 repetitions: 10,
                 sigma: [0.05, 0.04],
                 observations: [48.0, 48.0],
             },
             middle: StageSettings {
                 n_samples: 1200,
-                steps: 8,
+                steps: 5,
                 repetitions: 20,
                 sigma: [0.04, 0.025],
                 observations: [48.0, 160.0],
             },
             fine: StageSettings {
                 n_samples: 1200,
-                steps: 8,
+                steps: 5,
                 repetitions: 10,
                 sigma: [0.025, 0.02],
                 observations: [160.0, 480.0],

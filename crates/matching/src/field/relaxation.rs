@@ -12,15 +12,15 @@
 
 use super::base::InitialMap;
 use super::displacement::FitContext;
-use super::uncertainty::{MOST_VARIANCES, Noise, ObservationSample, gradient};
+use super::uncertainty::{MOST_VARIANCES, Noise, ObservationSample, Process, gradient};
 use crate::error::MatchError;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::{N_FEATURES, Subsample};
-use faer::Mat;
-use homolog_mesh::SurfaceMesh;
+use crate::surface::surface_index::ClosestInSteps;
+use homolog_mesh::{ClosestPoint, SurfaceMesh};
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
-use homolog_registration::deformation::{FittedField, Information, fit_field_to};
+use homolog_registration::deformation::{Information, fit_field_to};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -30,6 +30,9 @@ const N_INDUCING: usize = 100;
 const MOST_STEPS: usize = 10;
 /// Root mean square movement in a step below which it is the last, in sampling distances.
 const CONVERGED_STEP_SAMPLINGS: f64 = 0.02;
+/// Slides of all points towards their places under the last field: each follows the tangent plane where a point is, so a
+/// single one would leave curved surfaces.
+const SLIDES: usize = 2;
 /// Weight of each feature: as much in all as that of those that uncertainty observes, as they are highly correlated.
 const WEIGHT_OF_FEATURE: f64 = 2.0 * FEATURE_SHARE / N_FEATURES as f64;
 
@@ -46,7 +49,8 @@ struct NoiseModel {
 }
 
 /// Slides the vertices of the smooth source at `moved`, and those of the other `sets`, to the posterior mean of the
-/// displacement from the pose `rigid`. They stay where a number is not finite.
+/// displacement from the pose `rigid`, and returns the process of this displacement. They stay where a number is not
+/// finite.
 ///
 /// # Cost
 /// For each step `O(n M² + M³)` for at most 1,200 points and `M` functions.
@@ -58,17 +62,18 @@ pub(super) fn relax(
     rigid: &RigidTransform,
     moved: &mut Vec<Point3<f64>>,
     sets: &mut [PointSet<'_>],
-) -> Result<(), MatchError> {
+) -> Result<Option<Process>, MatchError> {
     let vertices = displacement.source.mesh.vertices();
     let start: Vec<Point3<f64>> = vertices.iter().map(|p| rigid.apply(p)).collect();
     let sample = ObservationSample::of(displacement, (&start, moved), MOST_VARIANCES);
-    let Some((prior, noise_mm)) = sample.prior(displacement) else { return Ok(()) };
+    let Some(process) = sample.process(displacement) else { return Ok(None) };
     let root_mm = displacement.lengths.root_mm;
     let noises = NoiseModel {
-        of_heights: sample.noise_of_heights(noise_mm, root_mm),
+        of_heights: sample.noise_of_heights(process.noise_mm, root_mm),
         of_features: (0..N_FEATURES).map(|feature| sample.noise_of_feature(feature, root_mm)).collect(),
     };
-    let Some(functions) = displacement.functions.with_prior(vertices, prior, N_INDUCING) else { return Ok(()) };
+    let of_process = displacement.functions.with_prior(vertices, process.prior.clone(), N_INDUCING);
+    let Some(functions) = of_process else { return Ok(Some(process)) };
     let joint = displacement.with_functions(functions);
     let thinned = joint.source.thinned(joint.options.fine.n_samples);
     let of_points = joint.functions.values(&thinned.points);
@@ -76,28 +81,40 @@ pub(super) fn relax(
     let values = joint.guides.below(of_points);
     let guided: Vec<Information> =
         joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();
-    let of_vertices = joint.functions.values(vertices);
     let slopes = slopes(&joint.target.mesh, &joint.target.features);
-    let of_sets: Vec<Mat<f64>> = sets.iter().map(|set| joint.functions.values(set.points)).collect();
+    let starts: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| start[i]).collect();
+    let mut places: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| moved[i]).collect();
+    let (mut last, mut closest) = (None, ClosestInSteps::default());
     for _ in 0..MOST_STEPS {
         checkpoint(joint.observer)?;
-        let mut known = observed(&joint, (&thinned, &unexpressed), (&start, moved), (&noises, &slopes));
+        let at = closest.of(&joint.target.closest().index, &places);
+        let mut known = observed(&joint, (&thinned, &unexpressed), (&starts, &places, at), (&noises, &slopes));
         known.extend_from_slice(&guided);
-        let Some(field) = fit_field_to(values.as_ref(), &known) else { return Ok(()) };
-        let next = slid(&joint, rigid, (vertices, moved), (&field, &of_vertices));
-        let squares: f64 = next.iter().zip(&*moved).map(|(p, q)| (p - q).norm_squared()).sum();
+        let Some(field) = fit_field_to(values.as_ref(), &known) else { return Ok(Some(process)) };
+        let wanted = field.displacements(values.as_ref());
+        let next = slid(&joint, rigid, (&thinned.points, &places, at), &wanted);
+        let squares: f64 = next.iter().zip(&places).map(|(p, q)| (p - q).norm_squared()).sum();
         if !squares.is_finite() {
-            return Ok(());
+            return Ok(Some(process));
         }
-        *moved = next;
-        for (set, values) in sets.iter_mut().zip(&of_sets) {
-            *set.moved = slid(&joint, rigid, (set.points, set.moved), (&field, values));
-        }
-        if squares <= vertices.len() as f64 * (CONVERGED_STEP_SAMPLINGS * displacement.lengths.sampling_mm).powi(2) {
+        places = next;
+        last = Some(field);
+        if squares <= places.len() as f64 * (CONVERGED_STEP_SAMPLINGS * displacement.lengths.sampling_mm).powi(2) {
             break;
         }
     }
-    Ok(())
+    let Some(field) = last else { return Ok(Some(process)) };
+    let slide = |points: &[Point3<f64>], moved: &mut Vec<Point3<f64>>| {
+        let wanted = field.displacements(joint.functions.values(points).as_ref());
+        let mut closest = ClosestInSteps::default();
+        for _ in 0..SLIDES {
+            let at = closest.of(&joint.target.closest().index, moved);
+            *moved = slid(&joint, rigid, (points, moved, at), &wanted);
+        }
+    };
+    slide(vertices, moved);
+    sets.iter_mut().for_each(|set| slide(set.points, set.moved));
+    Ok(Some(process))
 }
 
 /// The gradients of the features at each vertex: means over the triangles around it, weighted by area. Between vertices
@@ -124,26 +141,26 @@ fn slopes(mesh: &SurfaceMesh, features: &[f64]) -> Vec<[Vector3<f64>; N_FEATURES
     sums.into_iter().map(mean).collect()
 }
 
-/// Observations of the displacement at each point of `thinned`, where the vertices of the source are displaced
-/// from `start` to `moved`. Nothing is known beyond the rim of the target. `unexpressed`: the variance along an axis,
+/// Observations of the displacement at each point of `thinned`, which is displaced from `starts` to `places`, with the
+/// closest points of the target there. Nothing is known beyond the rim of the target. `unexpressed`: the variance along an axis,
 /// mm², that the functions cannot express at each point, which is noise of what is observed there.
 fn observed(
     displacement: &FitContext<'_>,
     (thinned, unexpressed): (&Subsample, &[f64]),
-    (start, moved): (&[Point3<f64>], &[Point3<f64>]),
+    (starts, places, closest): (&[Point3<f64>], &[Point3<f64>], &[ClosestPoint]),
     (noises, slopes): (&NoiseModel, &[[Vector3<f64>; N_FEATURES]]),
 ) -> Vec<Information> {
     let (source, target) = (&displacement.source, &displacement.target);
-    let closest = target.closest();
-    let of_point = |((&i, &area), unexpressed): ((&usize, &f64), &f64)| {
+    let of_point = |k: usize| {
+        let (i, area, unexpressed) = (thinned.vertices[k], thinned.areas[k], unexpressed[k]);
         let mut known = Information::none();
-        let at = closest.index.closest(&moved[i]);
+        let at = &closest[k];
         let Some(normal) = at.blend(|k| target.normals[k]).try_normalize(1e-9) else { return known };
-        if closest.is_at_rim(&at) {
+        if target.closest().is_at_rim(at) {
             return known;
         }
-        let displaced = moved[i] - start[i];
-        let height = normal.dot(&(at.point - moved[i]));
+        let displaced = places[k] - starts[k];
+        let height = normal.dot(&(at.point - places[k]));
         let variance = noises.of_heights.at(area) + unexpressed;
         known.add(&normal, normal.dot(&displaced) + height, 1.0 / variance);
         for (feature, noise) in noises.of_features.iter().enumerate() {
@@ -156,31 +173,30 @@ fn observed(
         }
         known
     };
-    thinned.vertices.par_iter().zip(&thinned.areas).zip(unexpressed).map(of_point).collect()
+    (0..places.len()).into_par_iter().map(of_point).collect()
 }
 
-/// `moved`, the places of `points` of the source, slid along the target to where `field` moves them from `rigid`, at
-/// their distance from it. `values`: its functions at the points.
+/// `moved`, the places of `points` of the source, slid along the target towards the `wanted` displacements from `rigid`,
+/// mm, at their distance from it. Given are also the closest points of the target before.
 fn slid(
     displacement: &FitContext<'_>,
     rigid: &RigidTransform,
-    (points, moved): (&[Point3<f64>], &[Point3<f64>]),
-    (field, values): (&FittedField, &Mat<f64>),
+    (points, moved, closest): (&[Point3<f64>], &[Point3<f64>], &[ClosestPoint]),
+    wanted: &[Vector3<f64>],
 ) -> Vec<Point3<f64>> {
     let target = &displacement.target;
-    let closest = &target.closest().index;
-    let wanted = field.displacements(values.as_ref());
-    let of_point = |((p, q), u): ((&Point3<f64>, &Point3<f64>), &Vector3<f64>)| {
-        let at = closest.closest(q);
+    let index = &target.closest().index;
+    let of_point = |k: usize| {
+        let (q, at) = (&moved[k], &closest[k]);
         let Some(normal) = at.blend(|k| target.normals[k]).try_normalize(1e-9) else { return *q };
         let height = normal.dot(&(q - at.point));
-        let step = rigid.apply(p) + u - q;
+        let step = rigid.apply(&points[k]) + wanted[k] - q;
         let along = q + step - normal * normal.dot(&step);
-        let there = closest.closest(&along);
+        let there = index.closest_from(&along, at);
         let Some(normal) = there.blend(|k| target.normals[k]).try_normalize(1e-9) else { return along };
         along + normal * (height - normal.dot(&(along - there.point)))
     };
-    points.par_iter().zip(moved).zip(&wanted).map(of_point).collect()
+    (0..moved.len()).into_par_iter().map(of_point).collect()
 }
 
 #[cfg(test)]

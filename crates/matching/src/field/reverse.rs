@@ -1,18 +1,15 @@
 //! The fit in the other direction, of the target to the source.
 
 use super::agreement::agreement;
-use super::choice::choose_pose;
 use super::coarse::coarse_alone;
 use super::displacement::FitContext;
 use super::fine::fine;
 use super::fitted::{FineStageFit, LocalKernel};
 use super::functions::Functions;
-use super::local::locally_from;
+use super::local::moved_locally;
 use super::refine::run_remaining_stages;
 use crate::error::MatchError;
-use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::surfaces::{Surfaces, diagonal_mm};
-use crate::starts::start_pose::StartPose;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 use std::sync::Arc;
@@ -26,11 +23,6 @@ pub(crate) struct ReverseFit<'a> {
 }
 
 impl ReverseFit<'_> {
-    /// Whether the residual is as large as between two subjects.
-    pub(crate) fn is_of_two_subjects(&self) -> bool {
-        self.fine.residual_mm >= ONE_ANATOMY * self.displacement.lengths.sampling_mm
-    }
-
     /// Whether another start may give a better agreement.
     pub(crate) fn is_doubtful(&self) -> bool {
         agreement(&self.displacement, &self.fine.moved()).is_doubtful(&self.displacement.options.route)
@@ -48,8 +40,8 @@ pub(crate) fn reverse_fit<'a>(
 ) -> Result<Option<ReverseFit<'a>>, MatchError> {
     let Some(back) = backwards(displacement, surfaces) else { return Ok(None) };
     let pose = pose.inverse();
-    let Some(start) = choose_pose(&back, &[StartPose::of(pose)], |_| true)? else { return Ok(None) };
-    let fine = fine(&back, start.state)?;
+    let Some(state) = coarse_alone(&back, &pose) else { return Ok(None) };
+    let fine = fine(&back, state)?;
     Ok(fine.map(|fine| ReverseFit { displacement: back, pose, fine }))
 }
 
@@ -78,12 +70,11 @@ pub(crate) fn backward_positions(
 ) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
     let Some(back) = backwards(displacement, surfaces) else { return Ok(None) };
     let inverse = pose.inverse();
-    let refined = match local {
-        Some(local) => locally_from(&back, &inverse, &local)?,
+    match local {
+        Some(local) => moved_locally(&back, &inverse, &local, surfaces.full_target),
         None => match coarse_alone(&back, &inverse) {
-            Some(state) => run_remaining_stages(&back, state)?,
-            None => None,
+            Some(state) => Ok(run_remaining_stages(&back, state)?.map(|refined| refined.moved(surfaces.full_target))),
+            None => Ok(None),
         },
-    };
-    Ok(refined.map(|refined| refined.moved(surfaces.full_target)))
+    }
 }

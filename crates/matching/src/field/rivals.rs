@@ -19,8 +19,10 @@ use super::deformation_evidence::{deformation_evidence, lead, resolution_mm};
 use super::displacement::FitContext;
 use super::fine::fine_aside;
 use super::fine_misfit::{COMPARISON_SAMPLES, COMPARISON_SCALE};
-use super::fitted::pose_of;
+use super::fitted::{FineStageFit, pose_of};
+use super::trace::TracedFit;
 use super::track::{Placed, placed};
+use crate::energy::lead::EnergyLead;
 use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced};
 use crate::poses::compared::{ComparedPose, ComparisonOutcome};
@@ -77,6 +79,8 @@ pub(crate) struct Candidate {
     pub compared: ComparedPose,
     pub pose: RigidTransform,
     pub state: State,
+    /// Where it ends after the fine stage, if it was compared there.
+    pub fit: Option<ComparedFit>,
 }
 
 /// Candidates after their comparison.
@@ -98,39 +102,48 @@ pub(crate) struct Comparison {
 pub(crate) fn compare_candidates(
     displacement: &FitContext<'_>,
     mut candidates: Vec<Candidate>,
+    energy: Option<&EnergyLead>,
 ) -> Result<Comparison, MatchError> {
-    let (chosen, fits) = chosen_of(displacement, &mut candidates)?;
-    let mut as_good = Vec::new();
-    if let Some(own) = fits.get(chosen).and_then(Option::as_ref) {
-        let mut others = Vec::new();
-        for k in (0..candidates.len()).filter(|&k| k != chosen) {
-            if let Some(found) = &fits[k] {
-                candidates[k].compared.finer = own.compared_with(found, displacement);
-                others.push((candidates[k].compared.finer, found));
-            }
-        }
-        if others.iter().any(|(finer, _)| *finer == ComparisonOutcome::AsGood) {
-            let is_as_good = |(finer, found): &&(ComparisonOutcome, &ComparedFit)| {
-                let is_of_other_hand = found.pose.is_reflection() != own.pose.is_reflection();
-                *finer == ComparisonOutcome::AsGood || is_of_other_hand && !own.is_distinct_from(found, displacement)
-            };
-            as_good.push(own.pose);
-            as_good.extend(others.iter().filter(is_as_good).map(|(_, found)| found.pose));
-        }
-    }
+    let chosen = chosen_of(displacement, &mut candidates, energy)?;
     if !candidates.is_empty() {
         candidates[..=chosen].rotate_right(1);
+    }
+    let mut as_good = Vec::new();
+    if let Some((Candidate { fit: Some(own), .. }, others)) = candidates.split_first_mut() {
+        for Candidate { compared, fit, .. } in &mut *others {
+            if compared.finer == ComparisonOutcome::Undecided
+                && let Some(fit) = fit
+            {
+                compared.finer = own.compared_with(fit, displacement);
+            }
+        }
+        if others.iter().any(|other| other.compared.finer == ComparisonOutcome::AsGood) {
+            as_good.push(own.pose);
+            for Candidate { compared, fit, .. } in others {
+                let Some(fit) = fit else { continue };
+                let is_of_other_hand = fit.pose.is_reflection() != own.pose.is_reflection();
+                if compared.finer == ComparisonOutcome::AsGood
+                    || is_of_other_hand && !own.is_distinct_from(fit, displacement)
+                {
+                    as_good.push(fit.pose);
+                }
+            }
+        }
     }
     Ok(Comparison { candidates, as_good })
 }
 
-/// The index of the candidate that explains most, and where the candidates end that it has to be compared with; the
-/// others are outdone.
+/// The index of the candidate that explains most. Those that it has to be compared with get a fine stage, the others are
+/// outdone.
 fn chosen_of(
     displacement: &FitContext<'_>,
     candidates: &mut [Candidate],
-) -> Result<(usize, Vec<Option<ComparedFit>>), MatchError> {
-    let mut fits: Vec<Option<ComparedFit>> = candidates.iter().map(|_| None).collect();
+    energy: Option<&EnergyLead>,
+) -> Result<usize, MatchError> {
+    let is_pose_of_labels = |energy: &EnergyLead, candidate: &Candidate| {
+        candidate.compared.mirrored == energy.pose.is_reflection()
+            && displacement.are_same(&candidate.pose, &energy.pose, displacement.options.choice.same_pose_rad)
+    };
     // A fit with one start, such as the fit in the other direction, has no rival.
     let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
     let coarse: Vec<Option<Unexplained>> =
@@ -142,26 +155,39 @@ fn chosen_of(
             continue;
         }
         let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
+        let excess = other.excess_over(own);
+        let is_outdone_in_energy = |energy: &&EnergyLead| {
+            is_pose_of_labels(energy, &candidates[chosen])
+                && !is_pose_of_labels(energy, &candidates[k])
+                && is_distinct(excess, energy.lead)
+        };
         // A difference this large is not undone by finer stages. A start of the other handedness counts only if it fits
         // better.
-        if other.excess_over(own) > if of_other_hand { 0.0 } else { RULED_OUT } {
+        let is_ruled_out = if of_other_hand {
+            excess > 0.0
+        } else {
+            excess > RULED_OUT || energy.is_some_and(|e| is_outdone_in_energy(&e))
+        };
+        if is_ruled_out {
             candidates[k].compared.finer = ComparisonOutcome::Outdone;
             continue;
         }
-        if fits[chosen].is_none() {
-            fits[chosen] = unexplained_finely(displacement, &candidates[chosen])?;
+        for k in [chosen, k] {
+            if candidates[k].fit.is_none() {
+                candidates[k].fit = unexplained_finely(displacement, &candidates[k])?;
+            }
         }
-        fits[k] = unexplained_finely(displacement, &candidates[k])?;
-        let (Some(own), Some(found)) = (&fits[chosen], &fits[k]) else { continue };
+        let (Some(own), Some(found)) = (&candidates[chosen].fit, &candidates[k].fit) else { continue };
         if !of_other_hand && own.unexplained.excess_over(&found.unexplained) > PREFERRED {
             chosen = k;
         }
     }
-    Ok((chosen, fits))
+    Ok(chosen)
 }
 
 /// Where a start ends after a fine stage.
-struct ComparedFit {
+pub(crate) struct ComparedFit {
+    pub fine: FineStageFit,
     unexplained: Unexplained,
     /// The same at the scale at which the coarse stage ends. At a fine scale all poses of two subjects or of noisy
     /// surfaces leave about the same unexplained.
@@ -233,13 +259,15 @@ fn at_coarse_scale(displacement: &FitContext<'_>, thinned: &Subsample, placed: &
 
 /// The end of a start after a fine stage; `None` if a number is not finite.
 fn unexplained_finely(displacement: &FitContext<'_>, candidate: &Candidate) -> Result<Option<ComparedFit>, MatchError> {
-    let Some(fine) = fine_aside(displacement, candidate.state.clone())? else { return Ok(None) };
+    let fit = Some(TracedFit::candidate());
+    let Some(fine) = fine_aside(displacement, candidate.state.clone(), fit)? else { return Ok(None) };
     let moved = fine.moved();
     let mirrored = candidate.compared.mirrored;
     let thinned = displacement.source.thinned(displacement.options.coarse.n_samples);
     let Some(placed) = placed(displacement, &moved, mirrored, &thinned) else { return Ok(None) };
     let Some(unexplained) = unexplained(displacement, &moved, mirrored) else { return Ok(None) };
     Ok(Some(ComparedFit {
+        fine,
         unexplained,
         at_coarse_scale: at_coarse_scale(displacement, &thinned, &placed),
         pose: pose_of(displacement, &moved, &candidate.pose),

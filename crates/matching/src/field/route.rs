@@ -30,7 +30,6 @@ use super::agreement::agreement;
 use super::choice::{Chosen, choose_pose};
 use super::deformed::Deformed;
 use super::displacement::FitContext;
-use super::fine::fine;
 use super::finish::{finish_backward_fit, finish_fit, moved_rigidly};
 use super::fitted::{FinalField, FineStageFit};
 use super::functions::Functions;
@@ -42,6 +41,7 @@ use super::reverse::{ReverseFit, reverse_fit};
 use super::rivals::{PREFERRED, unexplained};
 use super::straightened::unstraighten;
 use super::trace::FitTrace;
+use crate::energy::lead::EnergyLead;
 use crate::error::MatchError;
 use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::role::Role;
@@ -71,6 +71,8 @@ struct Request<'a> {
     allow_reflection: bool,
     options: &'a DisplacementOptions,
     observer: &'a FitTrace<'a>,
+    /// What belief propagation says of the starts, if it says anything.
+    energy: Option<&'a EnergyLead>,
     /// The misfit of another answer: if no start has a lower one, none is followed to its end.
     to_beat: f64,
 }
@@ -93,13 +95,13 @@ struct Request<'a> {
 pub(crate) fn displace(
     surfaces: &Surfaces<'_>,
     prepared: SmoothPair,
-    poses: &[StartPose],
+    (poses, energy): (&[StartPose], Option<&EnergyLead>),
     allow_reflection: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<Fitted>, MatchError> {
     let observer = FitTrace::new(observer);
-    let request = Request { allow_reflection, options, observer: &observer, to_beat: f64::INFINITY };
+    let request = Request { allow_reflection, options, observer: &observer, energy, to_beat: f64::INFINITY };
     match surfaces.part {
         Some(Role::Target) => from_part(surfaces, prepared, poses, request),
         Some(Role::Source) | None => from_source(surfaces, prepared, poses, request),
@@ -118,6 +120,8 @@ fn from_part(
     let side_of = |role: Role| (surfaces.side_of)(role.other());
     let poses: Vec<StartPose> = poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
     let swapped = surfaces.swapped(&landmarks, &side_of);
+    // The labels are of poses in the other direction, and inference does not begin on parts.
+    let request = Request { energy: None, ..request };
     let Some(found) = from_source(&swapped, (target, source), &poses, request)? else { return Ok(None) };
     let inverse = |start: ComparedPose| ComparedPose { origin: start.origin.inverse(), ..start };
     let compared = found.compared.into_iter().map(inverse).collect();
@@ -136,11 +140,15 @@ fn from_source(
 ) -> Result<Option<Fitted>, MatchError> {
     let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
     let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
-    let Some(Chosen { pose, state, mut compared }) = choose_pose(&forward, poses, may_answer)? else { return Ok(None) };
+    let Some(Chosen { pose, end, mut compared }) = choose_pose(&forward, poses, request.energy, may_answer)? else {
+        return Ok(None);
+    };
     if least_misfit(&compared) >= request.to_beat {
         return Ok(None);
     }
-    let mut reverse = reverse_of_subjects(surfaces, &forward, &pose)?;
+    let Some(fine) = end.fine(&forward)? else { return Ok(None) };
+    let wide = fine.moved();
+    let mut reverse = reverse_of_subjects(surfaces, &forward, (&fine, &pose))?;
     let evidence = CoarseFindings::of(&compared, surfaces);
     // Doubts are checked before the field is narrow: a narrow field makes surfaces agree even from a wrong start.
     if evidence.may_stand()
@@ -149,8 +157,6 @@ fn from_source(
         let deformed = finish_backward_fit(reverse, surfaces)?;
         return Ok(deformed.map(|deformed| Fitted { deformed, compared }));
     }
-    let Some(fine) = fine(&forward, state)? else { return Ok(None) };
-    let wide = fine.moved();
     if let Some(deformed) = as_copies(surfaces, &forward, (&pose, poses), (&fine, &wide), &mut compared)? {
         return Ok(Some(Fitted { deformed, compared }));
     }
@@ -158,7 +164,7 @@ fn from_source(
     let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
     if may_be_straightened(surfaces, &evidence, doubtful, fine.residual_mm) {
         let to_beat = least_misfit(&compared) - request.options.route.straight;
-        if let Some(found) = by_tubes(surfaces, Request { to_beat, ..request })?
+        if let Some(found) = by_tubes(surfaces, Request { to_beat, energy: None, ..request })?
             && least_misfit(&found.compared) < to_beat
         {
             return Ok(Some(found));
@@ -213,16 +219,17 @@ fn shared<'a>(
     }))
 }
 
-/// The fit in the other direction, for closed surfaces of two subjects whose target is more spread out.
+/// The fit in the other direction from the inverse of `pose`, for closed surfaces of two subjects whose target is more
+/// spread out. `fine`: the fit in this direction.
 fn reverse_of_subjects<'a>(
     surfaces: &Surfaces<'_>,
     forward: &'a FitContext<'_>,
-    pose: &RigidTransform,
+    (fine, pose): (&FineStageFit, &RigidTransform),
 ) -> Result<Option<ReverseFit<'a>>, MatchError> {
-    if surfaces.open || !surfaces.is_fitted_backwards() {
+    if surfaces.open || !surfaces.is_fitted_backwards() || !fine.is_of_two_subjects(forward) {
         return Ok(None);
     }
-    Ok(reverse_fit(forward, surfaces, pose)?.filter(ReverseFit::is_of_two_subjects))
+    Ok(reverse_fit(forward, surfaces, pose)?.filter(|reverse| reverse.fine.is_of_two_subjects(&reverse.displacement)))
 }
 
 /// Findings of the coarse stage.

@@ -12,8 +12,6 @@ pub(crate) struct ChoiceSettings {
     pub same_pose_rad: f64,
     /// Poses of one handedness that are followed after the screening.
     pub followed: usize,
-    /// Steps of the coarse stage from a pose that an earlier fit has found.
-    pub steps_from_known_pose: u32,
 }
 
 impl Default for ChoiceSettings {
@@ -23,7 +21,6 @@ impl Default for ChoiceSettings {
             screening_steps: 6,
             same_pose_rad: std::f64::consts::FRAC_PI_4,
             followed: 2,
-            steps_from_known_pose: 6,
         }
     }
 }
@@ -63,8 +60,6 @@ pub(crate) struct LocalSettings {
     pub voxel_noise: f64,
     /// Inducing points of the field with both kernels.
     pub n_inducing: usize,
-    /// Steps of the middle and of the fine stage of that field, which begin at a known pose.
-    pub stage_steps: u32,
     /// Points of the last fit.
     pub samples: usize,
     /// Steps of the last fit.
@@ -83,7 +78,6 @@ impl Default for LocalSettings {
             least_gain: 6.0,
             voxel_noise: 0.1,
             n_inducing: 200,
-            stage_steps: 5,
             samples: 2400,
             steps: 5,
             point_weight: 1.5,

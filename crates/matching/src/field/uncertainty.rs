@@ -63,6 +63,14 @@ pub(super) struct ObservationSample {
     features: Vec<Vec<(f64, Vector3<f64>)>>,
 }
 
+/// A Gaussian process of displacements.
+#[derive(Debug, Clone)]
+pub(super) struct Process {
+    pub prior: SmoothPrior,
+    /// Standard deviation of the noise along the normals, mm.
+    pub noise_mm: f64,
+}
+
 /// Posterior of a displacement.
 pub(super) struct DisplacementPosterior {
     /// The variance at each point, mm².
@@ -73,7 +81,7 @@ pub(super) struct DisplacementPosterior {
 }
 
 /// The posterior of the displacement at each of the `points` of the source, where the vertices of its smooth version are
-/// displaced from `start` to `moved`. `None` if a number is not finite.
+/// displaced from `start` to `moved`, under `process`, or if it is not known under that of this displacement. `None` if a number is not finite.
 ///
 /// # Cost
 /// `O(N³ + N · points)` for `N` observed components, at most `MOST_HEIGHTS + 2 MOST_FEATURES`.
@@ -81,10 +89,11 @@ pub(super) fn posterior(
     displacement: &FitContext<'_>,
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
     points: &[Point3<f64>],
+    process: Option<Process>,
 ) -> Option<DisplacementPosterior> {
     let sample = ObservationSample::of(displacement, (start, moved), MOST_HEIGHTS);
     // Copies have no displacement, so no kernel is found.
-    let Some((prior, noise_mm)) = sample.prior(displacement) else {
+    let Some(Process { prior, noise_mm }) = process.or_else(|| sample.process(displacement)) else {
         return Some(DisplacementPosterior { variances: vec![0.0; points.len()], second_order: 0.0 });
     };
     let at = displacement.functions.coordinates(&sample.points);
@@ -160,7 +169,7 @@ impl ObservationSample {
 
     /// The process under which the normal components of the displacement are most probable, and the noise along the
     /// normals under it, mm. `None` without a displacement, or if a number is not finite.
-    pub(super) fn prior(&self, displacement: &FitContext<'_>) -> Option<(SmoothPrior, f64)> {
+    pub(super) fn process(&self, displacement: &FitContext<'_>) -> Option<Process> {
         let widths = WIDTHS.map(|width| width * displacement.diagonal_mm);
         let every = every(self.points.len(), MOST_VARIANCES);
         let points: Vec<Point3<f64>> = self.points.iter().step_by(every).copied().collect();
@@ -175,7 +184,8 @@ impl ObservationSample {
         };
         let found = most_probable_kernel(&at, &normals, &shifts, &search)?;
         let kernels = octaves(found.kernel);
-        Some((SmoothPrior { kernels, ..displacement.options.prior.of(displacement.diagonal_mm) }, found.noise_mm))
+        let prior = SmoothPrior { kernels, ..displacement.options.prior.of(displacement.diagonal_mm) };
+        Some(Process { prior, noise_mm: found.noise_mm })
     }
 
     /// Root mean square of the distance between the target and its tangent plane at the center of a triangle with edges

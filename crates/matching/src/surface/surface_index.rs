@@ -3,6 +3,23 @@
 use homolog_mesh::{ClosestPoint, ClosestPointIndex, SurfaceMesh};
 use homolog_registration::ClosestSurfacePoint;
 use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+/// The closest points of points that move step by step. The last step makes the next one faster.
+#[derive(Default)]
+pub(crate) struct ClosestInSteps(Vec<ClosestPoint>);
+
+impl ClosestInSteps {
+    /// The closest points of `points`, which were elsewhere before, on the surface of all steps.
+    pub(crate) fn of(&mut self, index: &ClosestPointIndex, points: &[Point3<f64>]) -> &[ClosestPoint] {
+        if self.0.len() == points.len() {
+            self.0.par_iter_mut().zip(points).for_each(|(at, p)| *at = index.closest_from(p, at));
+        } else {
+            self.0 = points.par_iter().map(|p| index.closest(p)).collect();
+        }
+        &self.0
+    }
+}
 
 /// Closest points of a surface, with the normals of the vertices interpolated over the triangle.
 pub(crate) struct SurfaceIndex {

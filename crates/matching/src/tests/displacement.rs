@@ -2,7 +2,7 @@
 
 use crate::MatchError;
 use crate::answer::displacement::DisplacementAnswer;
-use crate::field::options::DisplacementOptions;
+use crate::field::options::{DisplacementOptions, StageSettings};
 use crate::field::route;
 use crate::pair::lengths::Lengths;
 use crate::pair::surfaces::Surfaces;
@@ -49,7 +49,7 @@ fn displace_from(
         bending: homolog_contract::parameters::Bending::None,
         side_of: &|_| None,
     };
-    let fitted = route::displace(&surfaces, surfaces.smoothed()?, starts, true, options, observer)?;
+    let fitted = route::displace(&surfaces, surfaces.smoothed()?, (starts, None), true, options, observer)?;
     Ok(fitted.map(|fitted| DisplacementAnswer::of(fitted, &surfaces)))
 }
 
@@ -270,9 +270,9 @@ fn renumbering_permutes_the_images_and_threads_change_nothing() {
     let renumbered = canonicalize(&SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap());
     let whole = DisplacementOptions::default();
     let options = DisplacementOptions {
-        coarse: whole.coarse.in_steps(4),
-        middle: whole.middle.in_steps(2),
-        fine: whole.fine.in_steps(2),
+        coarse: StageSettings { steps: 4, ..whole.coarse.clone() },
+        middle: StageSettings { steps: 2, ..whole.middle.clone() },
+        fine: StageSettings { steps: 2, ..whole.fine.clone() },
         ..whole
     };
     let poses = principal_axis_poses(source.mesh.vertices(), target.mesh.vertices()).unwrap();

@@ -34,7 +34,7 @@ fn no_file_imports_in_a_circle() {
         ("lib", "pipeline"),
         ("pipeline", "pipeline::images"),
         ("pipeline::images", "field::route"),
-        ("field::route", "field::fine"),
+        ("field::route", "field::finish"),
         ("field::fine", "pair::assignment"),
         ("surface::levels", "surface::side"),
     ] {

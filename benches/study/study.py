@@ -143,7 +143,7 @@ if "asymmetry" in parts:
             arrays = maps(result, f"{measure}.right-left")
             largest = np.argmax(np.abs(arrays["t"]))
             distance = np.linalg.norm(vertices[largest] - vertices[np.argmax(weight)])
-            say(f"asymmetry {name} {measure}", **found_in_patch(result, measure, ASYMMETRY_PATCH_MM, "right-left")["tfce_fwe"],
+            say(f"asymmetry {name} {measure}", **found_in_patch(result, measure, ASYMMETRY_PATCH_MM, "right-left")["significant"],
                 smallest_p_tfce=round(float(arrays["p_tfce_fwe"].min()), 4), median_se=round(float(np.median(arrays["robust_se"][weight > 0.5])), 3),
                 largest_t_from_middle_mm=round(float(distance), 1))
     supplement.main(out, out / "asymmetry-supplement")

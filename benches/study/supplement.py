@@ -89,7 +89,7 @@ def figure(folder, path):
             seen = np.where(sign * facing[:, 2] > 0)[0]
             seen = seen[np.argsort(sign * flat[faces[seen], 2].mean(1))]
             colors = plt.cm.RdBu_r(0.5 + 0.5 * np.clip(arrays["effect"][faces[seen]].mean(1) / limit, -1, 1))[:, :3]
-            significant = (arrays["p_tfce_fwe"][faces[seen]] < 0.05).mean(1)[:, None] > 0.5
+            significant = (arrays["p_local"][faces[seen]] < 0.05).mean(1)[:, None] > 0.5
             shade = 0.55 + 0.45 * sign * facing[seen, 2:3]
             colors = np.where(significant, colors, 0.75 + 0.25 * colors) * shade
             corners = flat[faces[seen]][:, :, :2] * [sign, 1]
@@ -121,10 +121,10 @@ def main(out, name):
     lines = []
     for measure, title in MEASURES.items():
         arrays, of, none = maps(folder, f"{measure}.right-left"), figures[f"asymmetry known {measure}"], figures[f"asymmetry none {measure}"]
-        share = areas[arrays["p_tfce_fwe"] < 0.05].sum() / areas.sum()
+        share = areas[arrays["p_local"] < 0.05].sum() / areas.sum()
         lines.append([title, p_value(of["smallest_p_tfce"]), f"{100 * share:.1f} %", of["effect_in_patch_mm"], of["median_se"],
                       of["sensitivity"], of["false_discoveries"], p_value(none["smallest_p_tfce"])])
-    table_3 = markdown(["measure", "smallest corrected p", "of the surface below 0.05", "effect in the patch", "standard error there",
+    table_3 = markdown(["measure", "smallest corrected p", "of the surface significant", "effect in the patch", "standard error there",
                         "of the patch found", "found outside", "smallest p without the effect"], lines)
     table_4 = markdown(["modes", "compactness", "generalization, mm", "specificity, mm"],
                        [[m["modes"], f"{float(m['compactness']):.3f}", f"{float(m['generalization_mm']):.3f}", f"{float(m['specificity_mm']):.3f}"]
@@ -166,9 +166,9 @@ and kept. Mean distance from a subject's surface to the template deformed onto i
 
 {table_2}
 
-**Table 3.** At vertices: p corrected for the whole surface by threshold-free cluster enhancement with {study["settings"]["analysis"]["permutations"]} sign flips. Of the patch found:
-share of the vertices that move by more than half and have p below 0.05. Found outside: of all vertices with p below 0.05, the share that
-does not move at all. The measures are not corrected for one another.
+**Table 3.** At vertices: p corrected for the whole surface by threshold-free cluster enhancement with {study["settings"]["analysis"]["permutations"]} sign flips.
+A vertex is significant where this p and the false discovery rate are both below 0.05. Of the patch found: share of the vertices that move by
+more than half and are significant. Found outside: of all significant vertices, the share that does not move at all. The measures are not corrected for one another.
 
 {table_3}
 

@@ -38,7 +38,7 @@ impl Default for InferenceSettings {
     fn default() -> Self {
         InferenceSettings {
             energy: IsometrySettings::default(),
-            iterations: 20,
+            iterations: 12,
             sweeps: 8,
             inlier: 0.1,
             confidence: 0.999,

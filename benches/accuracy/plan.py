@@ -31,8 +31,11 @@ DENSE_PEERS = ["icp", "bcpd"]
 DENSE = ["real_narrow2", "narrow4", *warped.WIDTH_KINDS, *capsules.KINDS, *bodies.KINDS, *landmarked.KINDS]
 """Sets, beside the real ones, on which dense peers run."""
 HALF = [*warped.WIDTH_KINDS, *SYMMETRIC]
-COUNTS = {**{kind: 6 for kind in symmetries.KINDS}, **{kind: 8 for kind in analytic.KINDS}}
-"""Most pairs of these sets, whose indices take turns in samplings, or in widths and shapes."""
+COUNTS = {kind: 6 for kind in symmetries.KINDS}
+"""Most pairs of these sets, whose indices take turns in samplings."""
+TURNS = {kind: 8 for kind in analytic.KINDS}
+"""Pairs of these sets in every run: eight indices have every width with every shape, and fewer would judge a shape by
+two widths."""
 ABLATION = {
     "real": ["real_warp4", "real_warp8", "real_cross"],
     "road": [
@@ -80,6 +83,8 @@ def ablated(n, kind):
 
 def count_of(kind, n):
     """Number of pairs of a set other than the real ones, for the default method."""
+    if kind in TURNS:
+        return TURNS[kind]
     if kind in COUNTS:
         return min(COUNTS[kind], n)
     return max(n // 2, 1) if kind in HALF else n * MANY.get(kind, 1)

@@ -11,4 +11,4 @@ pub(crate) const PROGRESS_BEFORE_DISPLACEMENT: f64 = 0.2;
 pub(crate) const PROGRESS_AT_END: f64 = 0.99;
 
 /// Progress of a displacement at the beginning of its local stage.
-pub(crate) const PROGRESS_BEFORE_LOCAL: f64 = 0.385;
+pub(crate) const PROGRESS_BEFORE_LOCAL: f64 = 0.32;

@@ -5,18 +5,10 @@ use homolog_primitives::observe::{Observer, Phase, TracePoint};
 use parking_lot::Mutex;
 
 /// Number of steps, and the share of the processor time of the displacement at the beginning of that step, from four
-/// pairs of hippocampi. The second step precedes inference. The local stage begins at the 84th
+/// pairs of hippocampi. The second step precedes inference. The local stage begins at the 54th
 /// or skips the steps of stages that were not run. The energy of the answer follows the last step.
-const CURVE: [(f64, f64); 8] = [
-    (0.0, 0.0),
-    (2.0, 0.13),
-    (13.0, 0.155),
-    (37.0, 0.24),
-    (61.0, 0.285),
-    (84.0, PROGRESS_BEFORE_LOCAL),
-    (97.0, 0.47),
-    (118.0, 0.66),
-];
+const CURVE: [(f64, f64); 7] =
+    [(0.0, 0.0), (2.0, 0.1), (25.0, 0.155), (32.0, 0.205), (54.0, PROGRESS_BEFORE_LOCAL), (87.0, 0.72), (122.0, 0.9)];
 
 /// Reports the progress of a displacement, estimated from the number of steps. The
 /// rounds of its energy trace follow those of inference.

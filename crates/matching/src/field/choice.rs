@@ -119,7 +119,7 @@ pub(crate) fn choose_pose(
     let winner = comparison.candidates.into_iter().next();
     Ok(winner.map(|Candidate { pose, state, fit, .. }| {
         let end = match fit {
-            Some(fit) => ChosenEnd::Fine(Box::new(fit.fine)),
+            Some(fit) => ChosenEnd::Fine(fit.fine),
             None => ChosenEnd::Coarse(state),
         };
         Chosen { pose, end, compared }
@@ -161,7 +161,7 @@ pub(crate) struct Chosen {
 /// The field over the chosen pose: after the stage at which it was chosen.
 pub(crate) enum ChosenEnd {
     Coarse(State),
-    Fine(Box<FineStageFit>),
+    Fine(FineStageFit),
 }
 
 impl ChosenEnd {
@@ -176,7 +176,7 @@ impl ChosenEnd {
                 if let Some(fit) = &mut fine.fit {
                     displacement.observer.keep(fit);
                 }
-                Ok(Some(*fine))
+                Ok(Some(fine))
             }
         }
     }

@@ -309,14 +309,14 @@ fn by_tubes(surfaces: &Surfaces<'_>, request: Request<'_>) -> Result<Option<Fitt
 enum RigidEnd {
     FineStageFit(FineStageFit),
     /// After all stages.
-    FinalField(FinalField),
+    FinalField(Box<FinalField>),
 }
 
 impl RigidEnd {
     fn run_remaining_stages(self, forward: &FitContext<'_>) -> Result<FinalField, MatchError> {
         match self {
             RigidEnd::FineStageFit(fine) => refined_from(forward, fine),
-            RigidEnd::FinalField(refined) => Ok(refined),
+            RigidEnd::FinalField(refined) => Ok(*refined),
         }
     }
 }
@@ -343,7 +343,11 @@ fn by_isometry(
         return Ok((RigidEnd::FineStageFit(fine), None));
     };
     // The misfit of surfaces that agree is at its lowest only after the local stage.
-    let end = if doubtful { RigidEnd::FineStageFit(fine) } else { RigidEnd::FinalField(refined_from(forward, fine)?) };
+    let end = if doubtful {
+        RigidEnd::FineStageFit(fine)
+    } else {
+        RigidEnd::FinalField(Box::new(refined_from(forward, fine)?))
+    };
     let reached = match &end {
         RigidEnd::FinalField(found) => found.moved(&forward.source.mesh),
         RigidEnd::FineStageFit(_) => wide,

@@ -173,7 +173,7 @@ fn from_source(
     let (end, route) = if !evidence.is_mirrored && (doubtful || evidence.branching) {
         by_isometry(surfaces, &forward, (fine, wide), doubtful, evidence.branching)?
     } else {
-        (RigidEnd::FineStageFit(fine), None)
+        (RigidEnd::FineStageFit(Box::new(fine)), None)
     };
     let refined = match (route, reverse) {
         (Some(route), _) => {
@@ -307,7 +307,7 @@ fn by_tubes(surfaces: &Surfaces<'_>, request: Request<'_>) -> Result<Option<Fitt
 
 /// The fit from the chosen pose, after some or all stages.
 enum RigidEnd {
-    FineStageFit(FineStageFit),
+    FineStageFit(Box<FineStageFit>),
     /// After all stages.
     FinalField(Box<FinalField>),
 }
@@ -315,7 +315,7 @@ enum RigidEnd {
 impl RigidEnd {
     fn run_remaining_stages(self, forward: &FitContext<'_>) -> Result<FinalField, MatchError> {
         match self {
-            RigidEnd::FineStageFit(fine) => refined_from(forward, fine),
+            RigidEnd::FineStageFit(fine) => refined_from(forward, *fine),
             RigidEnd::FinalField(refined) => Ok(*refined),
         }
     }
@@ -340,11 +340,11 @@ fn by_isometry(
     branching: bool,
 ) -> Result<(RigidEnd, Option<IsometryRoute>), MatchError> {
     let (Some(source), Some(target)) = ((surfaces.side_of)(Role::Source), (surfaces.side_of)(Role::Target)) else {
-        return Ok((RigidEnd::FineStageFit(fine), None));
+        return Ok((RigidEnd::FineStageFit(Box::new(fine)), None));
     };
     // The misfit of surfaces that agree is at its lowest only after the local stage.
     let end = if doubtful {
-        RigidEnd::FineStageFit(fine)
+        RigidEnd::FineStageFit(Box::new(fine))
     } else {
         RigidEnd::FinalField(Box::new(refined_from(forward, fine)?))
     };

@@ -11,7 +11,8 @@ pub(crate) const DISTINCT_LABELINGS: f64 = 3.0;
 const GROUPS: usize = 40;
 
 /// What belief propagation over the energy of near isometries says of rivals. Any other pose has labels away from those
-/// of the best pose, and these cost at least as much as the labels of lowest energy there.
+/// of the best pose, and these cost at least as much as the labels of lowest energy there. Minimization may miss those,
+/// of a symmetric solid for example, so a lead alone rules no pose out.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct EnergyLead {
     /// The pose that the labels of lowest energy support.

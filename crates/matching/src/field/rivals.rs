@@ -159,7 +159,7 @@ fn chosen_of(
         let is_outdone_in_energy = |energy: &&EnergyLead| {
             is_pose_of_labels(energy, &candidates[chosen])
                 && !is_pose_of_labels(energy, &candidates[k])
-                && is_distinct(excess, energy.lead)
+                && excess.min(energy.lead) > DISTINCT_STARTS
         };
         // A difference this large is not undone by finer stages. A start of the other handedness counts only if it fits
         // better.

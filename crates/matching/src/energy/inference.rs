@@ -2,7 +2,7 @@
 //! image, and RANSAC over the labels, weighted by beliefs.
 
 use super::bias::bias_away_from;
-use super::lead::{DISTINCT_LABELINGS, EnergyLead, VariableClusters};
+use super::lead::{DISTINCT_LABELINGS, VariableClusters};
 use super::model::{Isometry, SiteMeasurements};
 use super::settings::IsometrySettings;
 use homolog_contract::result::{
@@ -114,12 +114,6 @@ impl IsometryInference {
         self.proper.support() >= CLEAR_SUPPORT
             && self.excess(&self.model, &self.elsewhere) > DISTINCT_LABELINGS
             && self.excess(&self.of_mirror, &self.mirrored) > DISTINCT_LABELINGS
-    }
-
-    /// The pose of these labels and their lead over any other, if they determine it ([`IsometryInference::is_clear`]).
-    pub(crate) fn clear_lead(&self) -> Option<EnergyLead> {
-        let pose = self.proper.ransac.as_ref().filter(|_| self.is_clear())?.target_from_source;
-        Some(EnergyLead { pose, lead: self.excess(&self.model, &self.elsewhere) })
     }
 
     /// Whether the labels of the mirror image cost significantly less and nearly all support one pose: the target is

@@ -2,24 +2,12 @@
 
 use crate::surface::robust::mean_over_standard_error;
 use crate::surface::sites::Sites;
-use homolog_registration::RigidTransform;
 
 /// Standard errors of the mean difference from which one of two labelings costs more.
 pub(crate) const DISTINCT_LABELINGS: f64 = 3.0;
 
 /// Groups of neighboring variables over which the costs of two labelings are compared.
 const GROUPS: usize = 40;
-
-/// What belief propagation over the energy of near isometries says of rivals. Any other pose has labels away from those
-/// of the best pose, and these cost at least as much as the labels of lowest energy there. Minimization may miss those,
-/// of a symmetric solid for example, so a lead alone rules no pose out.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct EnergyLead {
-    /// The pose that the labels of lowest energy support.
-    pub pose: RigidTransform,
-    /// Excess cost of the best labels elsewhere, in standard errors: see [`VariableClusters::lead`].
-    pub lead: f64,
-}
 
 /// Groups of neighboring variables. The costs of neighbors are correlated; means over groups hardly are.
 #[derive(Debug, Clone)]

@@ -7,7 +7,6 @@ use super::fine::fine;
 use super::fitted::FineStageFit;
 use super::rivals::{Candidate, Comparison, compare_candidates};
 use super::symmetries::missing_poses;
-use crate::energy::lead::EnergyLead;
 use crate::error::MatchError;
 use crate::pair::assignment::displaced;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
@@ -55,7 +54,6 @@ impl ScreenedPose {
 pub(crate) fn choose_pose(
     displacement: &FitContext<'_>,
     poses: &[StartPose],
-    energy: Option<&EnergyLead>,
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
     let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
@@ -103,7 +101,7 @@ pub(crate) fn choose_pose(
         .zip(states)
         .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state, fit: None })
         .collect();
-    let mut comparison = compare_candidates(displacement, candidates, energy)?;
+    let mut comparison = compare_candidates(displacement, candidates)?;
     if let Some(symmetric) = best_symmetric(&coarse, &comparison, poses)? {
         // Starts that are no worse than the winner are compared anew, after the symmetric pose.
         let Comparison { mut candidates, .. } = comparison;
@@ -113,7 +111,7 @@ pub(crate) fn choose_pose(
             }
         }
         candidates.insert(1, symmetric);
-        comparison = compare_candidates(displacement, candidates, energy)?;
+        comparison = compare_candidates(displacement, candidates)?;
     }
     let compared = comparison.candidates.iter().map(|candidate| candidate.compared).collect();
     let winner = comparison.candidates.into_iter().next();

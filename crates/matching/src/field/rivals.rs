@@ -22,7 +22,6 @@ use super::fine_misfit::{COMPARISON_SAMPLES, COMPARISON_SCALE};
 use super::fitted::{FineStageFit, pose_of};
 use super::trace::TracedFit;
 use super::track::{Placed, placed};
-use crate::energy::lead::EnergyLead;
 use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced};
 use crate::poses::compared::{ComparedPose, ComparisonOutcome};
@@ -102,9 +101,8 @@ pub(crate) struct Comparison {
 pub(crate) fn compare_candidates(
     displacement: &FitContext<'_>,
     mut candidates: Vec<Candidate>,
-    energy: Option<&EnergyLead>,
 ) -> Result<Comparison, MatchError> {
-    let chosen = chosen_of(displacement, &mut candidates, energy)?;
+    let chosen = chosen_of(displacement, &mut candidates)?;
     if !candidates.is_empty() {
         candidates[..=chosen].rotate_right(1);
     }
@@ -135,15 +133,7 @@ pub(crate) fn compare_candidates(
 
 /// The index of the candidate that explains most. Those that it has to be compared with get a fine stage, the others are
 /// outdone.
-fn chosen_of(
-    displacement: &FitContext<'_>,
-    candidates: &mut [Candidate],
-    energy: Option<&EnergyLead>,
-) -> Result<usize, MatchError> {
-    let is_pose_of_labels = |energy: &EnergyLead, candidate: &Candidate| {
-        candidate.compared.mirrored == energy.pose.is_reflection()
-            && displacement.are_same(&candidate.pose, &energy.pose, displacement.options.choice.same_pose_rad)
-    };
+fn chosen_of(displacement: &FitContext<'_>, candidates: &mut [Candidate]) -> Result<usize, MatchError> {
     // A fit with one start, such as the fit in the other direction, has no rival.
     let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
     let coarse: Vec<Option<Unexplained>> =
@@ -155,20 +145,9 @@ fn chosen_of(
             continue;
         }
         let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
-        let excess = other.excess_over(own);
-        let is_outdone_in_energy = |energy: &&EnergyLead| {
-            is_pose_of_labels(energy, &candidates[chosen])
-                && !is_pose_of_labels(energy, &candidates[k])
-                && excess.min(energy.lead) > DISTINCT_STARTS
-        };
         // A difference this large is not undone by finer stages. A start of the other handedness counts only if it fits
         // better.
-        let is_ruled_out = if of_other_hand {
-            excess > 0.0
-        } else {
-            excess > RULED_OUT || energy.is_some_and(|e| is_outdone_in_energy(&e))
-        };
-        if is_ruled_out {
+        if other.excess_over(own) > if of_other_hand { 0.0 } else { RULED_OUT } {
             candidates[k].compared.finer = ComparisonOutcome::Outdone;
             continue;
         }

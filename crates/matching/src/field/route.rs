@@ -41,7 +41,6 @@ use super::reverse::{ReverseFit, reverse_fit};
 use super::rivals::{PREFERRED, unexplained};
 use super::straightened::unstraighten;
 use super::trace::FitTrace;
-use crate::energy::lead::EnergyLead;
 use crate::error::MatchError;
 use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::role::Role;
@@ -71,8 +70,6 @@ struct Request<'a> {
     allow_reflection: bool,
     options: &'a DisplacementOptions,
     observer: &'a FitTrace<'a>,
-    /// What belief propagation says of the starts, if it says anything.
-    energy: Option<&'a EnergyLead>,
     /// The misfit of another answer: if no start has a lower one, none is followed to its end.
     to_beat: f64,
 }
@@ -95,13 +92,13 @@ struct Request<'a> {
 pub(crate) fn displace(
     surfaces: &Surfaces<'_>,
     prepared: SmoothPair,
-    (poses, energy): (&[StartPose], Option<&EnergyLead>),
+    poses: &[StartPose],
     allow_reflection: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
 ) -> Result<Option<Fitted>, MatchError> {
     let observer = FitTrace::new(observer);
-    let request = Request { allow_reflection, options, observer: &observer, energy, to_beat: f64::INFINITY };
+    let request = Request { allow_reflection, options, observer: &observer, to_beat: f64::INFINITY };
     match surfaces.part {
         Some(Role::Target) => from_part(surfaces, prepared, poses, request),
         Some(Role::Source) | None => from_source(surfaces, prepared, poses, request),
@@ -120,8 +117,6 @@ fn from_part(
     let side_of = |role: Role| (surfaces.side_of)(role.other());
     let poses: Vec<StartPose> = poses.iter().map(|start| StartPose { pose: start.pose.inverse(), ..*start }).collect();
     let swapped = surfaces.swapped(&landmarks, &side_of);
-    // The labels are of poses in the other direction, and inference does not begin on parts.
-    let request = Request { energy: None, ..request };
     let Some(found) = from_source(&swapped, (target, source), &poses, request)? else { return Ok(None) };
     let inverse = |start: ComparedPose| ComparedPose { origin: start.origin.inverse(), ..start };
     let compared = found.compared.into_iter().map(inverse).collect();
@@ -140,7 +135,7 @@ fn from_source(
 ) -> Result<Option<Fitted>, MatchError> {
     let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
     let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
-    let Some(Chosen { pose, end, mut compared }) = choose_pose(&forward, poses, request.energy, may_answer)? else {
+    let Some(Chosen { pose, end, mut compared }) = choose_pose(&forward, poses, may_answer)? else {
         return Ok(None);
     };
     if least_misfit(&compared) >= request.to_beat {
@@ -164,7 +159,7 @@ fn from_source(
     let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
     if may_be_straightened(surfaces, &evidence, doubtful, fine.residual_mm) {
         let to_beat = least_misfit(&compared) - request.options.route.straight;
-        if let Some(found) = by_tubes(surfaces, Request { to_beat, energy: None, ..request })?
+        if let Some(found) = by_tubes(surfaces, Request { to_beat, ..request })?
             && least_misfit(&found.compared) < to_beat
         {
             return Ok(Some(found));

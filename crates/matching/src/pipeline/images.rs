@@ -162,9 +162,8 @@ fn by_field(
     };
     // If one surface is open, some labels or variables may have no counterpart.
     let may_begin = !surfaces.open && scene.parameters.displacement.starts == FieldStarts::Inference;
-    let clear = inferred.as_ref().filter(|_| may_begin).and_then(|inferred| Some((inferred, inferred.clear_lead()?)));
-    match &clear {
-        Some((inferred, _)) => {
+    match inferred.as_ref().filter(|inferred| may_begin && inferred.is_clear()) {
+        Some(inferred) => {
             let poses: Vec<RigidTransform> = inferred.poses().collect();
             starts.add_inferred(coarse, &poses, |pose| aligned_shortly(coarse, pose));
         }
@@ -185,8 +184,7 @@ fn by_field(
         ..DisplacementOptions::default()
     };
     let allow_reflection = scene.parameters.registration.allow_reflection;
-    let of_starts = (&poses[..], clear.as_ref().map(|(_, lead)| lead));
-    let Some(fitted) = displace(&surfaces, smoothed, of_starts, allow_reflection, &options, &counting)? else {
+    let Some(fitted) = displace(&surfaces, smoothed, &poses, allow_reflection, &options, &counting)? else {
         return Ok(None);
     };
     let found = DisplacementAnswer::of(fitted, &surfaces);

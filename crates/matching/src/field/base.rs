@@ -1,5 +1,6 @@
 //! The place of a surface before a field moves it, and a field over that place.
 
+use crate::pair::assignment::displaced;
 use faer::Mat;
 use homolog_registration::RigidTransform;
 use homolog_registration::deformation::FittedField;
@@ -46,4 +47,11 @@ pub(crate) struct State {
     pub base: InitialMap,
     pub field: FittedField,
     pub feature_precision: Vec<f64>,
+}
+
+impl State {
+    /// `points` of the source where the field over its base moves them, mm; `values`: its functions there.
+    pub(crate) fn moved(&self, points: &[Point3<f64>], values: &Mat<f64>) -> Vec<Point3<f64>> {
+        displaced(&self.base.moved(points, values), &self.field, values)
+    }
 }

@@ -8,7 +8,6 @@ use super::fitted::FineStageFit;
 use super::rivals::{Candidate, Comparison, compare_candidates};
 use super::symmetries::missing_poses;
 use crate::error::MatchError;
-use crate::pair::assignment::displaced;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
 use crate::starts::start_pose::StartPose;
 use homolog_primitives::observe::checkpoint;
@@ -66,7 +65,7 @@ pub(crate) fn choose_pose(
         let misfit = misfit + pose.excess;
         let end = displacement.same_place.map(|_| {
             let CoarseStage { source, values, .. } = &coarse;
-            let moved = displaced(&state.base.moved(&source.points, values), &state.field, values);
+            let moved = state.moved(&source.points, values);
             let (weights, mirrored) = (Some(&source.counted[..]), pose.pose.is_reflection());
             absolute_orientation_of(&source.points, &moved, weights, mirrored).unwrap_or(pose.pose)
         });

@@ -23,7 +23,7 @@ use super::fitted::{FineStageFit, pose_of};
 use super::trace::TracedFit;
 use super::track::{Placed, placed};
 use crate::error::MatchError;
-use crate::pair::assignment::{comparison_kernel, displaced};
+use crate::pair::assignment::comparison_kernel;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome};
 use crate::surface::robust::mean_and_standard_error;
 use crate::surface::smooth::Subsample;
@@ -134,7 +134,7 @@ pub(crate) fn compare_candidates(
 /// The index of the candidate that explains most. Those that it has to be compared with get a fine stage, the others are
 /// outdone.
 fn chosen_of(displacement: &FitContext<'_>, candidates: &mut [Candidate]) -> Result<usize, MatchError> {
-    // A fit with one start, such as the fit in the other direction, has no rival.
+    // A single start has no rival.
     let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
     let coarse: Vec<Option<Unexplained>> =
         compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
@@ -218,8 +218,7 @@ impl ComparedFit {
 fn unexplained_coarsely(displacement: &FitContext<'_>, candidate: &Candidate) -> Option<Unexplained> {
     let thinned = displacement.source.thinned(displacement.options.coarse.n_samples);
     let values = displacement.functions.values(&thinned.points);
-    let State { base, field, .. } = &candidate.state;
-    let points = displaced(&base.moved(&thinned.points, &values), field, &values);
+    let points = candidate.state.moved(&thinned.points, &values);
     let normals = thinned.normals.iter().map(|n| candidate.pose.rotation * n).collect();
     Some(at_coarse_scale(displacement, &thinned, &Placed { points, normals }))
 }

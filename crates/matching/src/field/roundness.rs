@@ -14,7 +14,6 @@ use super::fine::fine_aside;
 use super::fine_misfit::fine_misfit;
 use super::options::DisplacementOptions;
 use crate::error::MatchError;
-use crate::pair::assignment::displaced;
 use crate::surface::round_axis::RoundAxis;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
@@ -42,14 +41,13 @@ pub(crate) fn spread_of_rotations(
     };
     let starts = ANGLES_DEG.map(|angle| axis.rotated(pose, angle.to_radians()));
     let values = displacement.functions.values(points);
-    let end = |State { base, field, .. }: &State, moved: &[Point3<f64>]| {
-        let misfit = fine_misfit(displacement, moved, base.pose.is_reflection());
-        (misfit, displaced(&base.moved(points, &values), field, &values))
+    let end = |state: &State, moved: &[Point3<f64>]| {
+        let misfit = fine_misfit(displacement, moved, state.base.pose.is_reflection());
+        (misfit, state.moved(points, &values))
     };
     let own_end = || {
         let vertices = displacement.source.mesh.vertices();
-        let values = displacement.functions.values(vertices);
-        end(own, &displaced(&own.base.moved(vertices, &values), &own.field, &values))
+        end(own, &own.moved(vertices, &displacement.functions.values(vertices)))
     };
     let rotated = |start: &RigidTransform| {
         checkpoint(displacement.observer)?;

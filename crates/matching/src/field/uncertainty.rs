@@ -81,7 +81,8 @@ pub(super) struct DisplacementPosterior {
 }
 
 /// The posterior of the displacement at each of the `points` of the source, where the vertices of its smooth version are
-/// displaced from `start` to `moved`, under `process`, or if it is not known under that of this displacement. `None` if a number is not finite.
+/// displaced from `start` to `moved`, under `process`, or if it is not known under that of this displacement. `None` if a
+/// number is not finite.
 ///
 /// # Cost
 /// `O(N³ + N · points)` for `N` observed components, at most `MOST_HEIGHTS + 2 MOST_FEATURES`.

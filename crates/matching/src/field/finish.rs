@@ -5,15 +5,13 @@ use super::along;
 use super::both_ways::BackwardMap;
 use super::deformed::Deformed;
 use super::displacement::FitContext;
-use super::fitted::{FinalField, pose_of};
-use super::refine::refined_from;
+use super::fitted::pose_of;
 use super::relaxation::{PointSet, relax};
-use super::reverse::{ReverseFit, backward_positions};
+use super::reverse::{BothWays, ReverseFit, refined_both_ways};
 use super::roundness::spread_of_rotations;
 use super::strain::distortion;
 use super::uncertainty;
 use crate::error::MatchError;
-use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::role::Role;
 use crate::pair::surfaces::{Surfaces, swapped};
 use crate::starts::limbs::may_branch;
@@ -22,25 +20,19 @@ use homolog_mesh::SurfaceMesh;
 use homolog_registration::RigidTransform;
 use nalgebra::Point3;
 
-/// The source moved by `run_remaining_stages`; `pose` is close to its rigid part.
+/// The source moved by the mean of both fits; `pose` is close to its rigid part.
 pub(crate) fn finish_fit(
     displacement: &FitContext<'_>,
     surfaces: &Surfaces<'_>,
-    refined: FinalField,
+    BothWays { refined, returned }: BothWays,
     pose: &RigidTransform,
 ) -> Result<Option<Deformed>, MatchError> {
-    let Surfaces { source, target, full_source, full_target, target_closest, open, lengths, .. } = *surfaces;
+    let Surfaces { source, target, full_source, full_target, target_closest, lengths, .. } = *surfaces;
     // The mean of two fits agrees with a surface better than either fit, so agreement is measured on this fit alone.
     let own = refined.moved(source);
     let agreement = agreement(displacement, &own);
     let residual_mm = refined.residual_mm;
     let reached = pose_of(displacement, &own, pose);
-    // A region that is missing on one surface would have no counterpart in a fit in the other direction.
-    let returned = if open || refined.base.bend.is_some() || residual_mm < ONE_ANATOMY * lengths.sampling_mm {
-        None
-    } else {
-        backward_positions(displacement, surfaces, &reached, refined.local)?
-    };
     let back = returned.and_then(|returned| BackwardMap::new(full_target, target_closest, returned));
     let met = |mesh: &SurfaceMesh, points: Vec<Point3<f64>>| match &back {
         Some(back) => back.symmetrized(mesh.vertices(), &points),
@@ -123,7 +115,8 @@ pub(crate) fn finish_backward_fit(
     let landmarks: Vec<Landmark> = surfaces.landmarks.iter().map(swapped).collect();
     let side_of = |role: Role| (surfaces.side_of)(role.other());
     let ReverseFit { displacement, pose, fine } = reverse;
-    let refined = refined_from(&displacement, fine)?;
-    let found = finish_fit(&displacement, &surfaces.swapped(&landmarks, &side_of), refined, &pose)?;
+    let swapped = surfaces.swapped(&landmarks, &side_of);
+    let refined = refined_both_ways(&displacement, &swapped, fine)?;
+    let found = finish_fit(&displacement, &swapped, refined, &pose)?;
     Ok(found.and_then(|found| found.inverse(surfaces.full_target, surfaces.full_source)))
 }

@@ -6,7 +6,6 @@ use super::functions::Functions;
 use super::trace::TracedFit;
 use super::track::BaseEvaluation;
 use crate::pair::assignment::displaced;
-use crate::pair::lengths::ONE_ANATOMY;
 use crate::surface::smooth::SmoothSurface;
 use faer::Mat;
 use homolog_mesh::SurfaceMesh;
@@ -31,11 +30,6 @@ impl FineStageFit {
     /// The vertices of the source where the field moves them, mm.
     pub(crate) fn moved(&self) -> Vec<Point3<f64>> {
         self.track.moved(&self.field)
-    }
-
-    /// Whether the residual is as large as between two subjects.
-    pub(crate) fn is_of_two_subjects(&self, displacement: &FitContext<'_>) -> bool {
-        self.residual_mm >= ONE_ANATOMY * displacement.lengths.sampling_mm
     }
 
     /// The field over its base.

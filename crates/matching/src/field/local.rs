@@ -50,25 +50,34 @@ fn local_kernel(found: &KernelEvidence, sampling_mm: f64, options: &Displacement
 struct Local {
     track: BaseEvaluation,
     field: FittedField,
+    fit: TracedFit,
 }
 
-/// The field with a second, narrower kernel; `None` if the residual heights of `fine` over the target are noise.
-pub(crate) fn local(displacement: &FitContext<'_>, fine: &FineStageFit) -> Result<Option<FinalField>, MatchError> {
-    let moved = fine.moved();
-    let settings = &displacement.options.local;
-    let Some(found) = evidence(displacement, &moved) else { return Ok(None) };
-    if found.gain < settings.least_gain {
-        return Ok(None);
-    }
+/// The second kernel that the residual heights of the source at `moved` over the target show; `None` if they are noise.
+pub(crate) fn shown_kernel(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> Option<LocalKernel> {
+    let found = evidence(displacement, moved)?;
+    let is_clear = found.gain >= displacement.options.local.least_gain;
+    is_clear.then(|| local_kernel(&found, displacement.lengths.sampling_mm, displacement.options))
+}
+
+/// The field with this second kernel after `fine`, which moves the vertices of the source to `moved`. `None` if a number is
+/// not finite.
+pub(crate) fn local(
+    displacement: &FitContext<'_>,
+    (fine, moved): (&FineStageFit, Vec<Point3<f64>>),
+    local: LocalKernel,
+) -> Result<Option<FinalField>, MatchError> {
     displacement.observer.progress(PROGRESS_BEFORE_LOCAL);
     checkpoint(displacement.observer)?;
-    let local = local_kernel(&found, displacement.lengths.sampling_mm, displacement.options);
     let Some(joint) = with_kernel(displacement, &local) else { return Ok(None) };
     let base = &fine.track.base;
     // A fit from the rigid pose drops the displacement along the surface by which the wide field followed narrow ones.
     // A bent base does not allow this.
     let found = match base.bend {
-        None => fit_from_pose(&joint, &pose_of(displacement, &moved, &base.pose), &local)?,
+        None => {
+            let pose = pose_of(displacement, &moved, &base.pose);
+            fit_from_pose(&joint, &pose, joint.observer.begin(), &local)?
+        }
         Some(_) => {
             let track = fine.track.with_functions_of(&joint);
             followed_locally(&joint, track, (moved, fine.feature_precision.clone()), joint.observer.begin(), &local)?
@@ -85,17 +94,34 @@ pub(crate) fn local(displacement: &FitContext<'_>, fine: &FineStageFit) -> Resul
     }))
 }
 
-/// The vertices of `mesh` moved by the field from `pose` with the kernel that the fit in the other direction found.
+/// Vertices moved by a field with a second kernel, mm, and its fit, which is not reported yet.
+pub(crate) struct MovedLocally {
+    moved: Vec<Point3<f64>>,
+    fit: TracedFit,
+}
+
+impl MovedLocally {
+    /// The vertices, once the fit is the next in the energy trace.
+    pub(crate) fn reported(mut self, displacement: &FitContext<'_>) -> Vec<Point3<f64>> {
+        displacement.observer.keep(&mut self.fit);
+        self.moved
+    }
+}
+
+/// The vertices of `mesh` moved by the field from `pose` with the kernel that the fit in the other direction showed.
 pub(crate) fn moved_locally(
     displacement: &FitContext<'_>,
     pose: &RigidTransform,
     local: &LocalKernel,
     mesh: &SurfaceMesh,
-) -> Result<Option<Vec<Point3<f64>>>, MatchError> {
+) -> Result<Option<MovedLocally>, MatchError> {
     let Some(joint) = with_kernel(displacement, local) else { return Ok(None) };
-    let Some(Local { track, field }) = fit_from_pose(&joint, pose, local)? else { return Ok(None) };
+    let Some(Local { track, field, fit }) = fit_from_pose(&joint, pose, TracedFit::candidate(), local)? else {
+        return Ok(None);
+    };
     let values = joint.functions.values(mesh.vertices());
-    Ok(Some(displaced(&track.base.moved(mesh.vertices(), &values), &field, &values)))
+    let moved = displaced(&track.base.moved(mesh.vertices(), &values), &field, &values);
+    Ok(Some(MovedLocally { moved, fit }))
 }
 
 /// This displacement with a second kernel.
@@ -114,13 +140,13 @@ fn with_kernel<'a>(displacement: &'a FitContext<'_>, local: &LocalKernel) -> Opt
 fn fit_from_pose(
     displacement: &FitContext<'_>,
     pose: &RigidTransform,
+    fit: TracedFit,
     local: &LocalKernel,
 ) -> Result<Option<Local>, MatchError> {
     let Some(state) = coarse_alone(displacement, pose) else { return Ok(None) };
-    let fit = Some(displacement.observer.begin());
-    let Some(fine) = fine_in(displacement, state, local.across_share, fit)? else { return Ok(None) };
+    let Some(fine) = fine_in(displacement, state, local.across_share, Some(fit))? else { return Ok(None) };
     let moved = fine.moved();
-    let fit = fine.fit.unwrap_or_else(|| displacement.observer.begin());
+    let fit = fine.fit.unwrap_or_else(TracedFit::candidate);
     followed_locally(displacement, fine.track, (moved, fine.feature_precision), fit, local)
 }
 
@@ -187,7 +213,7 @@ fn followed_locally(
         fitted = Some(next);
     }
     let Some(field) = fitted else { return Ok(None) };
-    Ok(Some(Local { track, field }))
+    Ok(Some(Local { track, field, fit }))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::base::State;
 use super::displacement::FitContext;
 use super::fine::fine;
 use super::fitted::{FinalField, FineStageFit};
-use super::local::local;
+use super::local::{local, shown_kernel};
 use crate::error::MatchError;
 
 /// The field after all stages.
@@ -20,8 +20,10 @@ pub(crate) fn run_remaining_stages(
 
 /// The field after the local stage, from `fine`.
 pub(crate) fn refined_from(displacement: &FitContext<'_>, fine: FineStageFit) -> Result<FinalField, MatchError> {
-    Ok(match local(displacement, &fine)? {
-        Some(refined) => refined,
-        None => FinalField::of_fine_stage(displacement, fine),
-    })
+    let moved = fine.moved();
+    let found = match shown_kernel(displacement, &moved) {
+        Some(kernel) => local(displacement, (&fine, moved), kernel)?,
+        None => None,
+    };
+    Ok(found.unwrap_or_else(|| FinalField::of_fine_stage(displacement, fine)))
 }

@@ -151,10 +151,13 @@ fn chosen_of(displacement: &FitContext<'_>, candidates: &mut [Candidate]) -> Res
             candidates[k].compared.finer = ComparisonOutcome::Outdone;
             continue;
         }
-        for k in [chosen, k] {
-            if candidates[k].fit.is_none() {
-                candidates[k].fit = unexplained_finely(displacement, &candidates[k])?;
-            }
+        let missing = |k: usize| match candidates[k].fit {
+            Some(_) => Ok(None),
+            None => unexplained_finely(displacement, &candidates[k]),
+        };
+        let (of_chosen, of_other) = rayon::join(|| missing(chosen), || missing(k));
+        for (k, found) in [(chosen, of_chosen?), (k, of_other?)] {
+            candidates[k].fit = candidates[k].fit.take().or(found);
         }
         let (Some(own), Some(found)) = (&candidates[chosen].fit, &candidates[k].fit) else { continue };
         if !of_other_hand && own.unexplained.excess_over(&found.unexplained) > PREFERRED {

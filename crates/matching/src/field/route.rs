@@ -37,12 +37,11 @@ use super::guides::LandmarkObservations;
 use super::isometry::{OverForm, bent_starts, best_of_lowest, iterate_while_improving, low_energies};
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
-use super::reverse::{ReverseFit, reverse_fit};
+use super::reverse::{BothWays, ReverseFit, refined_both_ways, reverse_fit, with_backward_fit};
 use super::rivals::{PREFERRED, unexplained};
 use super::straightened::unstraighten;
 use super::trace::FitTrace;
 use crate::error::MatchError;
-use crate::pair::lengths::ONE_ANATOMY;
 use crate::pair::role::Role;
 use crate::pair::smooth_pair::SmoothPair;
 use crate::pair::surfaces::{Surfaces, diagonal_mm, differ_in_spread, swapped};
@@ -179,13 +178,13 @@ fn from_source(
             let outdone = |rigid: &&mut ComparedPose| rigid.finer != ComparisonOutcome::Better;
             compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = ComparisonOutcome::Outdone);
             compared = route.compared.into_iter().chain(compared).collect();
-            route.refined
+            BothWays { refined: route.refined, returned: None }
         }
         (None, Some(reverse)) => {
             let deformed = finish_backward_fit(reverse, surfaces)?;
             return Ok(deformed.map(|deformed| Fitted { deformed, compared }));
         }
-        (None, None) => end.run_remaining_stages(&forward)?,
+        (None, None) => end.run_remaining_stages(&forward, surfaces)?,
     };
     let deformed = finish_fit(&forward, surfaces, refined, &pose)?;
     Ok(deformed.map(|deformed| Fitted { deformed, compared }))
@@ -221,10 +220,11 @@ fn reverse_of_subjects<'a>(
     forward: &'a FitContext<'_>,
     (fine, pose): (&FineStageFit, &RigidTransform),
 ) -> Result<Option<ReverseFit<'a>>, MatchError> {
-    if surfaces.open || !surfaces.is_fitted_backwards() || !fine.is_of_two_subjects(forward) {
+    if surfaces.open || !surfaces.is_fitted_backwards() || !forward.lengths.are_of_two_subjects(fine.residual_mm) {
         return Ok(None);
     }
-    Ok(reverse_fit(forward, surfaces, pose)?.filter(|reverse| reverse.fine.is_of_two_subjects(&reverse.displacement)))
+    let is_of_two_subjects = |reverse: &ReverseFit<'_>| forward.lengths.are_of_two_subjects(reverse.fine.residual_mm);
+    Ok(reverse_fit(forward, surfaces, pose)?.filter(is_of_two_subjects))
 }
 
 /// Findings of the coarse stage.
@@ -278,7 +278,7 @@ fn as_copies(
 /// Whether tubular surfaces are straightened: if they may agree better from another start, or if surfaces of one shape,
 /// which may agree and still be bent against each other, differ in spread.
 fn may_be_straightened(surfaces: &Surfaces<'_>, evidence: &CoarseFindings, doubtful: bool, residual_mm: f64) -> bool {
-    let of_one_shape = residual_mm < ONE_ANATOMY * surfaces.lengths.sampling_mm;
+    let of_one_shape = !surfaces.lengths.are_of_two_subjects(residual_mm);
     // Surfaces with limbs are not tubes.
     let may_bend = !evidence.is_mirrored && !evidence.branching && surfaces.bending != Bending::None;
     may_bend && (doubtful || of_one_shape && differ_in_spread(surfaces))
@@ -308,10 +308,10 @@ enum RigidEnd {
 }
 
 impl RigidEnd {
-    fn run_remaining_stages(self, forward: &FitContext<'_>) -> Result<FinalField, MatchError> {
+    fn run_remaining_stages(self, forward: &FitContext<'_>, surfaces: &Surfaces<'_>) -> Result<BothWays, MatchError> {
         match self {
-            RigidEnd::FineStageFit(fine) => refined_from(forward, *fine),
-            RigidEnd::FinalField(refined) => Ok(*refined),
+            RigidEnd::FineStageFit(fine) => refined_both_ways(forward, surfaces, *fine),
+            RigidEnd::FinalField(refined) => with_backward_fit(forward, surfaces, *refined),
         }
     }
 }

@@ -31,6 +31,11 @@ impl Lengths {
         let edge_mm = source.mesh().mean_edge_length().max(target.mesh().mean_edge_length());
         Lengths { root_mm, sampling_mm: edge_mm.max(FINEST_SAMPLING * root_mm) }
     }
+
+    /// Whether a residual along the normals after a deformation is as large as between two subjects.
+    pub(crate) fn are_of_two_subjects(&self, residual_mm: f64) -> bool {
+        residual_mm >= ONE_ANATOMY * self.sampling_mm
+    }
 }
 
 /// Variance of an image that no field explains, mm², for a sampling distance of `sampling_mm`.

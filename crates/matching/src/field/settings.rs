@@ -77,7 +77,7 @@ impl Default for LocalSettings {
             evidence_samples: 400,
             least_gain: 6.0,
             voxel_noise: 0.1,
-            n_inducing: 150,
+            n_inducing: 120,
             samples: 2400,
             steps: 4,
             point_weight: 1.5,

@@ -18,9 +18,14 @@ use faer::linalg::householder::{
 use faer::linalg::qr::no_pivoting::factor::recommended_block_size;
 use faer::{Conj, Mat, Par, Spec};
 use homolog_primitives::exponential::exp_negative_f64;
+use multiversion::multiversion;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
+/// Ratios measured at once.
+const LANES: usize = 8;
+/// Pivots multiplied before a logarithm is taken: products of numbers up to two to the power of 120 are finite.
+const PRODUCT: usize = 8;
 /// Smallest ratio `s² / σ²` that is tried, as a power of two.
 const LEAST_RATIO: i32 = -4;
 
@@ -109,15 +114,14 @@ impl HeightEvidence {
             (noise, self.n * noise.ln() + squares / noise + log_determinant)
         };
         let (_, of_noise_alone) = deviance(self.n * self.variance, 0.0);
+        let ratios: Vec<f64> = (LEAST_RATIO..=largest_ratio).map(|power| 2f64.powi(power)).collect();
         let of_width = |(width_mm, tridiagonal): &(f64, Tridiagonal)| {
-            let of_ratio = |power: i32| {
-                let ratio = 2f64.powi(power);
-                let (log_determinant, squares) = tridiagonal.measured(ratio);
+            let of_ratio = |(ratio, (log_determinant, squares)): (&f64, (f64, f64))| {
                 let (noise, deviance) = deviance(squares, log_determinant);
                 let kernel = GaussianKernel { width_mm: *width_mm, amplitude_mm: (ratio * noise).sqrt() };
                 KernelEvidence { kernel, noise_mm: noise.sqrt(), gain: 0.5 * (of_noise_alone - deviance) }
             };
-            let found = (LEAST_RATIO..=largest_ratio).map(of_ratio).filter(|e| e.gain.is_finite());
+            let found = ratios.iter().zip(tridiagonal.measured(&ratios)).map(of_ratio).filter(|e| e.gain.is_finite());
             found.max_by(|a, b| a.gain.total_cmp(&b.gain))
         };
         let found: Vec<Option<KernelEvidence>> = self.of_widths.iter().map(of_width).collect();
@@ -129,13 +133,13 @@ impl HeightEvidence {
     /// up to `largest_ratio` steps. Cost `O(widths · steps · points)`.
     pub fn log_likelihood(&self, noise_mm: f64, least_mm: f64, largest_ratio: i32) -> f64 {
         let noise_variance = noise_mm * noise_mm;
-        let of = |tridiagonal: &Tridiagonal, power: i32| {
-            let (log_determinant, squares) =
-                tridiagonal.measured(least_mm * least_mm * 2f64.powi(power) / noise_variance);
+        let least = least_mm * least_mm / noise_variance;
+        let ratios: Vec<f64> = (0..=largest_ratio).map(|power| least * 2f64.powi(power)).collect();
+        let all = self.of_widths.iter().flat_map(|(_, tridiagonal)| tridiagonal.measured(&ratios));
+        let of = |(log_determinant, squares): (f64, f64)| {
             -0.5 * (log_determinant + squares / noise_variance) - self.n * noise_mm.ln()
         };
-        let all = self.of_widths.iter().flat_map(|(_, t)| (0..=largest_ratio).map(move |power| of(t, power)));
-        all.fold(f64::NEG_INFINITY, f64::max)
+        all.map(of).fold(f64::NEG_INFINITY, f64::max)
     }
 }
 
@@ -193,21 +197,51 @@ impl Tridiagonal {
         }
     }
 
-    /// `ln det (I + ratio K)` and `hᵀ (I + ratio K)⁻¹ h`, for `K` without negative eigenvalues. Cost `O(n)`.
-    fn measured(&self, ratio: f64) -> (f64, f64) {
-        let (mut log_determinant, mut squares) = (0.0, 0.0);
-        // L D Lᵀ of the tridiagonal matrix; no eigenvalue, and so no pivot, is below 1 except by rounding.
-        let (mut pivot, mut solved) = (1.0, 0.0);
-        for (i, diagonal) in self.diagonal.iter().enumerate() {
-            let off = if i == 0 { 0.0 } else { ratio * self.off[i - 1] };
-            let factor = off / pivot;
-            solved = self.turned[i] - factor * solved;
-            pivot = (1.0 + ratio * diagonal - factor * off).max(1.0);
-            log_determinant += pivot.ln();
-            squares += solved * solved / pivot;
+    /// `ln det (I + ratio K)` and `hᵀ (I + ratio K)⁻¹ h` for each of the `ratios`, for `K` without negative eigenvalues. Cost
+    /// `O(n)` for each ratio; [`LANES`] of them at once.
+    fn measured(&self, ratios: &[f64]) -> Vec<(f64, f64)> {
+        let mut measured = Vec::with_capacity(ratios.len());
+        for some in ratios.chunks(LANES) {
+            let mut lanes = [0.0; LANES];
+            lanes[..some.len()].copy_from_slice(some);
+            let (log_determinants, squares) = measured_at(self, &lanes);
+            measured.extend(log_determinants.into_iter().zip(squares).take(some.len()));
         }
-        (log_determinant, squares)
+        measured
     }
+}
+
+/// [`Tridiagonal::measured`] for a few ratios: by `L D Lᵀ` of the tridiagonal matrix.
+#[allow(unsafe_code)] // the dispatch that `multiversion` generates; the body is safe code
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512bw+avx512dq", "x86_64+avx2"))]
+fn measured_at(of: &Tridiagonal, ratios: &[f64; LANES]) -> ([f64; LANES], [f64; LANES]) {
+    let (mut log_determinant, mut squares) = ([0.0; LANES], [0.0; LANES]);
+    let (mut pivot, mut solved) = ([1.0; LANES], [0.0; LANES]);
+    // The product of a few pivots: a logarithm takes longer than everything else.
+    let mut product = [1.0; LANES];
+    for (i, (diagonal, turned)) in of.diagonal.iter().zip(&of.turned).enumerate() {
+        let below = if i == 0 { 0.0 } else { of.off[i - 1] };
+        for k in 0..LANES {
+            let off = ratios[k] * below;
+            let factor = off / pivot[k];
+            solved[k] = turned - factor * solved[k];
+            // No eigenvalue, and so no pivot, is below 1 except by rounding.
+            let next = 1.0 + ratios[k] * diagonal - factor * off;
+            pivot[k] = if next > 1.0 { next } else { 1.0 };
+            squares[k] += solved[k] * solved[k] / pivot[k];
+            product[k] *= pivot[k];
+        }
+        if i % PRODUCT == PRODUCT - 1 {
+            for k in 0..LANES {
+                log_determinant[k] += product[k].ln();
+                product[k] = 1.0;
+            }
+        }
+    }
+    for k in 0..LANES {
+        log_determinant[k] += product[k].ln();
+    }
+    (log_determinant, squares)
 }
 
 #[cfg(test)]

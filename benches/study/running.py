@@ -13,7 +13,8 @@ from pathlib import Path
 class Bench:
     def __init__(self, binary, data, out):
         self.binary = str(binary)
-        self.out = Path(out)
+        # Absolute: paths in tables of subjects are relative to the table.
+        self.out = Path(out).resolve()
         self.out.mkdir(parents=True, exist_ok=True)
         self.files = sorted(Path(data, "hippocampus").glob("*.nii.gz"))
         self.figures_at = self.out / "figures.json"

@@ -45,10 +45,7 @@ impl Pair<'_> {
     ) -> Result<(RunOutput, Vec<TimedPoint>), CliError> {
         let observer = MatchObserver::new(interrupt.clone(), title);
         let file = |(path, bytes)| InputFile { bytes, name: file_name(path) };
-        // In the pool: from outside of it, every parallel loop would wait for another thread.
-        let outcome = rayon::scope(|_| {
-            run_match_with(surfaces, file(self.source), file(self.target), parameters, limits, &observer)
-        });
+        let outcome = run_match_with(surfaces, file(self.source), file(self.target), parameters, limits, &observer);
         let trace = observer.finish();
         let mut output = outcome.map_err(|error| match error {
             RunError::Input { side, error } => {

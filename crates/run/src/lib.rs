@@ -188,9 +188,13 @@ pub fn run_match_with(
     observer: &dyn Observer,
 ) -> Result<RunOutput, RunError> {
     let timed = PhaseTimer::new(observer);
-    let [source, target] = surfaces.ready([source, target], parameters, limits, &timed)?;
-    let mirrors = Mirrors::of(&source.prepared, &target.prepared);
-    let outcome = match_levels(&source.levels, &target.levels, &mirrors.parameters(parameters), &timed)?;
+    // In the pool of threads: from outside of it, every parallel loop would wait for another thread.
+    let (source, target, mirrors, outcome) = rayon::scope(|_| {
+        let [source, target] = surfaces.ready([source, target], parameters, limits, &timed)?;
+        let mirrors = Mirrors::of(&source.prepared, &target.prepared);
+        let outcome = match_levels(&source.levels, &target.levels, &mirrors.parameters(parameters), &timed)?;
+        Ok::<_, RunError>((source, target, mirrors, outcome))
+    })?;
     let provenance = Provenance {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         // Filled in by the program, which alone knows it.

@@ -60,16 +60,18 @@ pub(crate) fn shown_kernel(displacement: &FitContext<'_>, moved: &[Point3<f64>])
     is_clear.then(|| local_kernel(&found, displacement.lengths.sampling_mm, displacement.options))
 }
 
-/// The field with this second kernel after `fine`, which moves the vertices of the source to `moved`. `None` if a number is
-/// not finite.
+/// The field with this second kernel after `fine`, which moves the vertices of the source to `moved`; `fine` itself if a
+/// number is not finite.
 pub(crate) fn local(
     displacement: &FitContext<'_>,
-    (fine, moved): (&FineStageFit, Vec<Point3<f64>>),
+    (fine, moved): (FineStageFit, Vec<Point3<f64>>),
     local: LocalKernel,
-) -> Result<Option<FinalField>, MatchError> {
+) -> Result<FinalField, MatchError> {
     displacement.observer.progress(PROGRESS_BEFORE_LOCAL);
     checkpoint(displacement.observer)?;
-    let Some(joint) = with_kernel(displacement, &local) else { return Ok(None) };
+    let Some(joint) = with_kernel(displacement, &local) else {
+        return Ok(FinalField::of_fine_stage(displacement, fine));
+    };
     let base = &fine.track.base;
     // A fit from the rigid pose drops the displacement along the surface by which the wide field followed narrow ones.
     // A bent base does not allow this.
@@ -83,15 +85,18 @@ pub(crate) fn local(
             followed_locally(&joint, track, (moved, fine.feature_precision.clone()), joint.observer.begin(), &local)?
         }
     };
-    Ok(found.map(|kept| FinalField {
-        base: kept.track.base,
-        base_functions: displacement.functions.clone(),
-        field: kept.field,
-        functions: joint.functions.clone(),
-        residual_mm: fine.residual_mm,
-        local: Some(local),
-        wide: fine.state(),
-    }))
+    Ok(match found {
+        Some(kept) => FinalField {
+            base: kept.track.base,
+            base_functions: displacement.functions.clone(),
+            field: kept.field,
+            functions: joint.functions.clone(),
+            residual_mm: fine.residual_mm,
+            local: Some(local),
+            wide: fine.state(),
+        },
+        None => FinalField::of_fine_stage(displacement, fine),
+    })
 }
 
 /// Vertices moved by a field with a second kernel, mm, and its fit, which is not reported yet.

@@ -21,9 +21,8 @@ pub(crate) fn run_remaining_stages(
 /// The field after the local stage, from `fine`.
 pub(crate) fn refined_from(displacement: &FitContext<'_>, fine: FineStageFit) -> Result<FinalField, MatchError> {
     let moved = fine.moved();
-    let found = match shown_kernel(displacement, &moved) {
-        Some(kernel) => local(displacement, (&fine, moved), kernel)?,
-        None => None,
-    };
-    Ok(found.unwrap_or_else(|| FinalField::of_fine_stage(displacement, fine)))
+    match shown_kernel(displacement, &moved) {
+        Some(kernel) => local(displacement, (fine, moved), kernel),
+        None => Ok(FinalField::of_fine_stage(displacement, fine)),
+    }
 }

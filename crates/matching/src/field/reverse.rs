@@ -104,18 +104,16 @@ pub(crate) fn refined_both_ways(
     let Some(kernel) = shown_kernel(displacement, &moved) else {
         return with_backward_fit(displacement, surfaces, FinalField::of_fine_stage(displacement, fine));
     };
-    let is_fitted_back = is_fitted_both_ways(surfaces, &fine.track.base, fine.residual_mm);
+    if !is_fitted_both_ways(surfaces, &fine.track.base, fine.residual_mm) {
+        return Ok(BothWays { refined: local(displacement, (fine, moved), kernel)?, returned: None });
+    }
     let pose = pose_of(displacement, &moved, &fine.track.base.pose);
-    let backward = || match is_fitted_back {
-        true => backward_positions_locally(displacement, surfaces, &pose, &kernel),
-        false => Ok(None),
-    };
-    let (refined, backward) = rayon::join(|| local(displacement, (&fine, moved), kernel), backward);
-    Ok(BothWays {
-        refined: refined?.unwrap_or_else(|| FinalField::of_fine_stage(displacement, fine)),
-        // Reported after the fit in this direction.
-        returned: backward?.map(|backward| backward.reported(displacement)),
-    })
+    let (refined, backward) = rayon::join(
+        || local(displacement, (fine, moved), kernel),
+        || backward_positions_locally(displacement, surfaces, &pose, &kernel),
+    );
+    // The fit in the other direction is reported after the one in this direction.
+    Ok(BothWays { refined: refined?, returned: backward?.map(|backward| backward.reported(displacement)) })
 }
 
 /// `refined`, and after it the fit in the other direction, from its rigid part.

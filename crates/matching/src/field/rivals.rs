@@ -157,7 +157,9 @@ fn chosen_of(displacement: &FitContext<'_>, candidates: &mut [Candidate]) -> Res
         };
         let (of_chosen, of_other) = rayon::join(|| missing(chosen), || missing(k));
         for (k, found) in [(chosen, of_chosen?), (k, of_other?)] {
-            candidates[k].fit = candidates[k].fit.take().or(found);
+            if found.is_some() {
+                candidates[k].fit = found;
+            }
         }
         let (Some(own), Some(found)) = (&candidates[chosen].fit, &candidates[k].fit) else { continue };
         if !of_other_hand && own.unexplained.excess_over(&found.unexplained) > PREFERRED {

@@ -41,7 +41,7 @@ pub(crate) fn spread_of_rotations(
     let misfit =
         |state: &State, moved: &[Point3<f64>]| fine_misfit(displacement, moved, state.base.pose.is_reflection());
     let of_own = || misfit(own, &own.moved(vertices, &displacement.functions.values(vertices)));
-    let rotated = || {
+    let rotated = || -> Result<Option<(f64, State)>, MatchError> {
         checkpoint(displacement.observer)?;
         let start = axis.rotated(pose, ANGLE_DEG.to_radians());
         let Some(state) = coarse_alone(displacement, &start) else { return Ok(None) };
@@ -50,7 +50,6 @@ pub(crate) fn spread_of_rotations(
         Ok(Some((misfit(&state, &fine.moved()), state)))
     };
     let (of_own, rotated) = rayon::join(of_own, rotated);
-    let rotated: Result<Option<(f64, State)>, MatchError> = rotated;
     let Some((of_rotated, rotated)) = rotated? else { return Ok(None) };
     let share = share_of_others(of_own, of_rotated, displacement.options);
     let (from, to) = (own.moved(points, &values), rotated.moved(points, &values));

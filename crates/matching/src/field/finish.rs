@@ -6,7 +6,7 @@ use super::both_ways::BackwardMap;
 use super::deformed::Deformed;
 use super::displacement::FitContext;
 use super::fitted::pose_of;
-use super::relaxation::{PointSet, relax};
+use super::relaxation::{PointSet, RelaxationModel, relax};
 use super::reverse::{BothWays, ReverseFit, refined_both_ways};
 use super::roundness::spread_of_rotations;
 use super::strain::distortion;
@@ -42,7 +42,7 @@ pub(crate) fn finish_fit(
     let (mut fitted, mut at_smooth) = (met(source, own), met(smooth, refined.moved(smooth)));
     // A small surface is not thinned: its field is fitted at all its vertices.
     let mut of_full = (source != full_source).then(|| met(full_source, refined.moved(full_source)));
-    let mut process = None;
+    let mut model = None;
     let started = if refined.base.bend.is_some() {
         // The displacement of a bent base is no part of the field.
         refined.started(smooth)
@@ -51,7 +51,11 @@ pub(crate) fn finish_fit(
         if !may_branch(surfaces) {
             let mut sets = vec![PointSet { points: source.vertices(), moved: &mut fitted }];
             sets.extend(of_full.as_mut().map(|moved| PointSet { points: full_source.vertices(), moved }));
-            process = relax(displacement, &pose_of(displacement, &at_smooth, &reached), &mut at_smooth, &mut sets)?;
+            let rigid = pose_of(displacement, &at_smooth, &reached);
+            model = RelaxationModel::of(displacement, &rigid, &at_smooth);
+            if let Some(model) = &model {
+                relax(displacement, model, &rigid, &mut at_smooth, &mut sets)?;
+            }
         }
         let rigid = pose_of(displacement, &at_smooth, &reached);
         smooth.vertices().iter().map(|p| rigid.apply(p)).collect()
@@ -71,17 +75,17 @@ pub(crate) fn finish_fit(
         let variances = vec![residual_mm * residual_mm; moved.len()];
         return Ok(Some(Deformed { moved, variances, transform, residual_mm, agreement, distortion }));
     }
-    let Some(posterior) = uncertainty::posterior(displacement, (&started, &at_smooth), full_source.vertices(), process)
-    else {
-        return Ok(None);
+    let process = model.as_ref().map(|model| model.process.clone());
+    let points = full_source.vertices();
+    let posterior = || uncertainty::posterior(displacement, (&started, &at_smooth), points, process);
+    // Copies start from their own pose: rotations have no part in their variance.
+    let of_starts = || match &model {
+        Some(model) if !rigid.copies => spread_of_rotations(displacement, model, points, (&refined.wide, &reached)),
+        _ => Ok(None),
     };
-    let mut variances = posterior.variances;
-    // Copies start from their own pose, and bent surfaces have no axis: neither needs rotations in the variance.
-    if posterior.second_order > 1.0
-        && !rigid.copies
-        && !is_of_forms
-        && let Some(of_starts) = spread_of_rotations(displacement, full_source.vertices(), (&refined.wide, &reached))?
-    {
+    let (variances, of_starts) = rayon::join(posterior, of_starts);
+    let Some(mut variances) = variances else { return Ok(None) };
+    if let Some(of_starts) = of_starts? {
         variances.iter_mut().zip(of_starts).for_each(|(variance, of_starts)| *variance += of_starts);
     }
     if let Some(error) = error {

@@ -17,10 +17,11 @@ use crate::error::MatchError;
 use crate::pair::assignment::FEATURE_SHARE;
 use crate::surface::smooth::{N_FEATURES, Subsample};
 use crate::surface::surface_index::ClosestInSteps;
+use faer::Mat;
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::RigidTransform;
-use homolog_registration::deformation::{Information, fit_field_to};
+use homolog_registration::deformation::{FittedField, Information, fit_field_to};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -48,9 +49,119 @@ struct NoiseModel {
     of_features: Vec<Option<Noise>>,
 }
 
+/// The process of a displacement and the noise of what is observed of it, both estimated from the pair.
+pub(super) struct RelaxationModel {
+    pub process: Process,
+    noises: NoiseModel,
+}
+
+impl RelaxationModel {
+    /// Those of the displacement of the smooth source from the pose `rigid` to `moved`; `None` without a displacement.
+    pub(super) fn of(
+        displacement: &FitContext<'_>,
+        rigid: &RigidTransform,
+        moved: &[Point3<f64>],
+    ) -> Option<RelaxationModel> {
+        let start: Vec<Point3<f64>> = displacement.source.mesh.vertices().iter().map(|p| rigid.apply(p)).collect();
+        let sample = ObservationSample::of(displacement, (&start, moved), MOST_VARIANCES);
+        let process = sample.process(displacement)?;
+        let root_mm = displacement.lengths.root_mm;
+        let noises = NoiseModel {
+            of_heights: sample.noise_of_heights(process.noise_mm, root_mm),
+            of_features: (0..N_FEATURES).map(|feature| sample.noise_of_feature(feature, root_mm)).collect(),
+        };
+        Some(RelaxationModel { process, noises })
+    }
+}
+
+/// What all steps of a relaxation share: the observations of the source at a subsample, and a field under the process.
+pub(super) struct Relaxation<'a> {
+    joint: FitContext<'a>,
+    noises: &'a NoiseModel,
+    thinned: Subsample,
+    /// The functions of the field at the points of the subsample, below them those of the landmarks.
+    values: Mat<f64>,
+    /// Variance along an axis, mm², that the functions cannot express at each point.
+    unexpressed: Vec<f64>,
+    slopes: Vec<[Vector3<f64>; N_FEATURES]>,
+}
+
+impl<'a> Relaxation<'a> {
+    /// At most `n_points` are observed, and the field has `n_inducing` inducing points. `None` if a number is not finite.
+    pub(super) fn new(
+        displacement: &'a FitContext<'_>,
+        RelaxationModel { process, noises }: &'a RelaxationModel,
+        (n_points, n_inducing): (usize, usize),
+    ) -> Option<Relaxation<'a>> {
+        let vertices = displacement.source.mesh.vertices();
+        let joint = displacement.with_functions(displacement.functions.with_prior(
+            vertices,
+            process.prior.clone(),
+            n_inducing,
+        )?);
+        let thinned = joint.source.thinned(n_points);
+        let of_points = joint.functions.values(&thinned.points);
+        let unexpressed = joint.functions.unexpressed(&of_points);
+        let values = joint.guides.below(of_points);
+        let slopes = slopes(&joint.target.mesh, &joint.target.features);
+        Some(Relaxation { joint, noises, thinned, values, unexpressed, slopes })
+    }
+
+    /// The points of the subsample, mm.
+    pub(super) fn points(&self) -> &[Point3<f64>] {
+        &self.thinned.points
+    }
+
+    /// Where the points of the subsample are relaxed to, and the last field, if the vertices of the smooth source are
+    /// `moved` before. `None` if a number is not finite.
+    ///
+    /// # Errors
+    /// [`MatchError::Cancelled`].
+    pub(super) fn relaxed(
+        &self,
+        rigid: &RigidTransform,
+        moved: &[Point3<f64>],
+    ) -> Result<Option<(Vec<Point3<f64>>, FittedField)>, MatchError> {
+        let Relaxation { joint, noises, thinned, values, unexpressed, slopes } = self;
+        let guided: Vec<Information> =
+            joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();
+        let starts: Vec<Point3<f64>> = thinned.points.iter().map(|p| rigid.apply(p)).collect();
+        let mut places: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| moved[i]).collect();
+        let (mut last, mut closest) = (None, ClosestInSteps::default());
+        for _ in 0..MOST_STEPS {
+            checkpoint(joint.observer)?;
+            let at = closest.of(&joint.target.closest().index, &places);
+            let mut known = observed(joint, (thinned, unexpressed), (&starts, &places, at), (noises, slopes));
+            known.extend_from_slice(&guided);
+            let Some(field) = fit_field_to(values.as_ref(), &known) else { return Ok(None) };
+            let wanted = field.displacements(values.as_ref());
+            let next = slid(joint, rigid, (&thinned.points, &places, at), &wanted);
+            let squares: f64 = next.iter().zip(&places).map(|(p, q)| (p - q).norm_squared()).sum();
+            if !squares.is_finite() {
+                return Ok(None);
+            }
+            places = next;
+            last = Some(field);
+            if squares <= places.len() as f64 * (CONVERGED_STEP_SAMPLINGS * joint.lengths.sampling_mm).powi(2) {
+                break;
+            }
+        }
+        Ok(last.map(|field| (places, field)))
+    }
+
+    /// Slides `points` of the source at `moved` to their places under `field`.
+    fn slide(&self, rigid: &RigidTransform, field: &FittedField, PointSet { points, moved }: &mut PointSet<'_>) {
+        let wanted = field.displacements(self.joint.functions.values(points).as_ref());
+        let mut closest = ClosestInSteps::default();
+        for _ in 0..SLIDES {
+            let at = closest.of(&self.joint.target.closest().index, moved);
+            **moved = slid(&self.joint, rigid, (points, moved, at), &wanted);
+        }
+    }
+}
+
 /// Slides the vertices of the smooth source at `moved`, and those of the other `sets`, to the posterior mean of the
-/// displacement from the pose `rigid`, and returns the process of this displacement. They stay where a number is not
-/// finite.
+/// displacement from the pose `rigid`. They stay where a number is not finite.
 ///
 /// # Cost
 /// For each step `O(n M² + M³)` for at most 1,200 points and `M` functions.
@@ -59,62 +170,19 @@ struct NoiseModel {
 /// [`MatchError::Cancelled`].
 pub(super) fn relax(
     displacement: &FitContext<'_>,
+    model: &RelaxationModel,
     rigid: &RigidTransform,
     moved: &mut Vec<Point3<f64>>,
     sets: &mut [PointSet<'_>],
-) -> Result<Option<Process>, MatchError> {
-    let vertices = displacement.source.mesh.vertices();
-    let start: Vec<Point3<f64>> = vertices.iter().map(|p| rigid.apply(p)).collect();
-    let sample = ObservationSample::of(displacement, (&start, moved), MOST_VARIANCES);
-    let Some(process) = sample.process(displacement) else { return Ok(None) };
-    let root_mm = displacement.lengths.root_mm;
-    let noises = NoiseModel {
-        of_heights: sample.noise_of_heights(process.noise_mm, root_mm),
-        of_features: (0..N_FEATURES).map(|feature| sample.noise_of_feature(feature, root_mm)).collect(),
+) -> Result<(), MatchError> {
+    let Some(relaxation) = Relaxation::new(displacement, model, (displacement.options.fine.n_samples, N_INDUCING))
+    else {
+        return Ok(());
     };
-    let of_process = displacement.functions.with_prior(vertices, process.prior.clone(), N_INDUCING);
-    let Some(functions) = of_process else { return Ok(Some(process)) };
-    let joint = displacement.with_functions(functions);
-    let thinned = joint.source.thinned(joint.options.fine.n_samples);
-    let of_points = joint.functions.values(&thinned.points);
-    let unexpressed = joint.functions.unexpressed(&of_points);
-    let values = joint.guides.below(of_points);
-    let guided: Vec<Information> =
-        joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();
-    let slopes = slopes(&joint.target.mesh, &joint.target.features);
-    let starts: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| start[i]).collect();
-    let mut places: Vec<Point3<f64>> = thinned.vertices.iter().map(|&i| moved[i]).collect();
-    let (mut last, mut closest) = (None, ClosestInSteps::default());
-    for _ in 0..MOST_STEPS {
-        checkpoint(joint.observer)?;
-        let at = closest.of(&joint.target.closest().index, &places);
-        let mut known = observed(&joint, (&thinned, &unexpressed), (&starts, &places, at), (&noises, &slopes));
-        known.extend_from_slice(&guided);
-        let Some(field) = fit_field_to(values.as_ref(), &known) else { return Ok(Some(process)) };
-        let wanted = field.displacements(values.as_ref());
-        let next = slid(&joint, rigid, (&thinned.points, &places, at), &wanted);
-        let squares: f64 = next.iter().zip(&places).map(|(p, q)| (p - q).norm_squared()).sum();
-        if !squares.is_finite() {
-            return Ok(Some(process));
-        }
-        places = next;
-        last = Some(field);
-        if squares <= places.len() as f64 * (CONVERGED_STEP_SAMPLINGS * displacement.lengths.sampling_mm).powi(2) {
-            break;
-        }
-    }
-    let Some(field) = last else { return Ok(Some(process)) };
-    let slide = |points: &[Point3<f64>], moved: &mut Vec<Point3<f64>>| {
-        let wanted = field.displacements(joint.functions.values(points).as_ref());
-        let mut closest = ClosestInSteps::default();
-        for _ in 0..SLIDES {
-            let at = closest.of(&joint.target.closest().index, moved);
-            *moved = slid(&joint, rigid, (points, moved, at), &wanted);
-        }
-    };
-    slide(vertices, moved);
-    sets.iter_mut().for_each(|set| slide(set.points, set.moved));
-    Ok(Some(process))
+    let Some((_, field)) = relaxation.relaxed(rigid, moved)? else { return Ok(()) };
+    relaxation.slide(rigid, &field, &mut PointSet { points: displacement.source.mesh.vertices(), moved });
+    sets.iter_mut().for_each(|set| relaxation.slide(rigid, &field, set));
+    Ok(())
 }
 
 /// The gradients of the features at each vertex: means over the triangles around it, weighted by area. Between vertices

@@ -11,7 +11,7 @@
 //! residual of this process, and at least the distance of a curved surface from its triangles; the noise of features is
 //! their difference at corresponding points. Residuals of neighbors are correlated, so the weight of a point is its area over the area within which they are correlated. On a curved target
 //! a height also has a linearization error, which grows with the posterior variance along the surface: both are
-//! iterated to a fixed point ([`ObservationSample::posterior`]).
+//! iterated to a fixed point ([`ObservationSample::variances`]).
 
 use super::deformation_evidence::{EVIDENCE_MAX_LOG2_RATIO, Observed, WIDTHS, every, observed};
 use super::displacement::FitContext;
@@ -71,16 +71,7 @@ pub(super) struct Process {
     pub noise_mm: f64,
 }
 
-/// Posterior of a displacement.
-pub(super) struct DisplacementPosterior {
-    /// The variance at each point, mm².
-    pub variances: Vec<f64>,
-    /// Mean square of the error of heights by displacements along the surface, over that of their noise. The variances
-    /// hold for a linear model; from 1 on, heights are less certain by what that leaves out than by noise.
-    pub second_order: f64,
-}
-
-/// The posterior of the displacement at each of the `points` of the source, where the vertices of its smooth version are
+/// The posterior variance of the displacement, mm², at each of the `points` of the source, where the vertices of its smooth version are
 /// displaced from `start` to `moved`, under `process`, or if it is not known under that of this displacement. `None` if a
 /// number is not finite.
 ///
@@ -91,16 +82,15 @@ pub(super) fn posterior(
     (start, moved): (&[Point3<f64>], &[Point3<f64>]),
     points: &[Point3<f64>],
     process: Option<Process>,
-) -> Option<DisplacementPosterior> {
+) -> Option<Vec<f64>> {
     let sample = ObservationSample::of(displacement, (start, moved), MOST_HEIGHTS);
     // Copies have no displacement, so no kernel is found.
     let Some(Process { prior, noise_mm }) = process.or_else(|| sample.process(displacement)) else {
-        return Some(DisplacementPosterior { variances: vec![0.0; points.len()], second_order: 0.0 });
+        return Some(vec![0.0; points.len()]);
     };
     let at = displacement.functions.coordinates(&sample.points);
-    let of_sample = sample.posterior(&at, &prior, noise_mm, displacement.lengths.root_mm)?;
-    let variances = sample.spread_to(points, &of_sample.variances);
-    Some(DisplacementPosterior { variances, second_order: of_sample.second_order })
+    let of_sample = sample.variances(&at, &prior, noise_mm, displacement.lengths.root_mm)?;
+    Some(sample.spread_to(points, &of_sample))
 }
 
 /// This kernel and the octaves below it. A process with one Gaussian kernel has infinitely many derivatives, and
@@ -213,20 +203,14 @@ impl ObservationSample {
         (variance > 0.0).then(|| Noise { variance, correlated: self.correlated_area(&differences, root_mm) })
     }
 
-    /// The posterior of the displacement at every few of the points, at most [`MOST_VARIANCES`], for this prior and noise
+    /// The posterior variance of the displacement, mm², at every few of the points, at most [`MOST_VARIANCES`], for this prior and noise
     /// along the normals. `at`: the points in the coordinates of the prior.
     ///
     /// A height equals the component of the displacement along the normal only where the target is flat: if its point
     /// is off by `δ` along the surface, the height is off by `½ δᵀ W δ`. This error is noise of the height, whose
     /// variance follows from the posterior variance of `δ`, at the nearest point where it is computed. Both are iterated
     /// from zero error, growing until they converge.
-    fn posterior(
-        &self,
-        at: &[Point3<f64>],
-        prior: &SmoothPrior,
-        noise_mm: f64,
-        root_mm: f64,
-    ) -> Option<DisplacementPosterior> {
+    fn variances(&self, at: &[Point3<f64>], prior: &SmoothPrior, noise_mm: f64, root_mm: f64) -> Option<Vec<f64>> {
         let center = Point3::from(at.iter().map(|p| p.coords).sum::<Vector3<f64>>() / at.len().max(1) as f64);
         let every = every(at.len(), MOST_VARIANCES);
         let of: Vec<Point3<f64>> = at.iter().step_by(every).copied().collect();
@@ -257,9 +241,7 @@ impl ObservationSample {
                 noise[i] = of_height + self.bending[i] * slid * slid * (correlated[k] / self.areas[i]).max(1.0);
             }
         }
-        let over_area = |values: &[f64]| values.iter().zip(&self.areas).map(|(value, area)| value * area).sum::<f64>();
-        let second_order = over_area(&noise[..at.len()]) / over_area(&of_heights).max(f64::MIN_POSITIVE) - 1.0;
-        Some(DisplacementPosterior { variances, second_order })
+        Some(variances)
     }
 
     /// The index of the nearest to `p` among every `every`-th point.
@@ -315,24 +297,29 @@ impl ObservationSample {
         own + positive.map(|bin| products[bin] / (variance * total)).sum::<f64>()
     }
 
-    /// Values of every few points of the sample, as from [`ObservationSample::posterior`], at `points`: means weighted by
-    /// distance.
+    /// Values of every few points of the sample, as from [`ObservationSample::variances`], at `points`.
     fn spread_to(&self, points: &[Point3<f64>], values: &[f64]) -> Vec<f64> {
         let spacing = self.areas.iter().sum::<f64>() / values.len().max(1) as f64;
         let every = every(self.points.len(), MOST_VARIANCES);
         let of: Vec<Point3<f64>> = self.points.iter().step_by(every).copied().collect();
-        let at = |p: &Point3<f64>| {
-            let nearest = of.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
-            let (mut sum, mut total) = (0.0, 0.0);
-            for (q, value) in of.iter().zip(values) {
-                let weight = exp_negative_f64(-0.5 * ((p - q).norm_squared() - nearest) / spacing);
-                sum += weight * value;
-                total += weight;
-            }
-            if total > 0.0 { sum / total } else { 0.0 }
-        };
-        points.par_iter().map(at).collect()
+        spread(&of, values, spacing, points)
     }
+}
+
+/// The `values` at the points `of` a surface, each of which stands for an area of `area_mm2`, at other `points`: means
+/// weighted by distance.
+pub(super) fn spread(of: &[Point3<f64>], values: &[f64], area_mm2: f64, points: &[Point3<f64>]) -> Vec<f64> {
+    let at = |p: &Point3<f64>| {
+        let nearest = of.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (q, value) in of.iter().zip(values) {
+            let weight = exp_negative_f64(-0.5 * ((p - q).norm_squared() - nearest) / area_mm2);
+            sum += weight * value;
+            total += weight;
+        }
+        if total > 0.0 { sum / total } else { 0.0 }
+    };
+    points.par_iter().map(at).collect()
 }
 
 /// `E (½ δᵀ W δ)²` for `δ` of variance 1 along each axis of the tangent plane, where `W` is the derivative of the
@@ -414,22 +401,17 @@ mod tests {
         let prior = SmoothPrior { translation_mm: 1.0, linear: 0.05, kernels: vec![kernel] };
         for radius_mm in [9.0, 12.0, 30.0] {
             let (mut sample, at) = cap(radius_mm);
-            let found = sample.posterior(&at, &prior, 0.02, 12.0).unwrap();
-            let curved: f64 = found.variances.iter().sum();
-            assert!(found.second_order > 0.0);
+            let curved: f64 = sample.variances(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
             sample.bending.fill(0.0);
-            let found = sample.posterior(&at, &prior, 0.02, 12.0).unwrap();
-            let linear: f64 = found.variances.iter().sum();
-            assert!(found.second_order.abs() < 1e-12);
+            let linear: f64 = sample.variances(&at, &prior, 0.02, 12.0).unwrap().iter().sum();
             let none = ComponentPosterior::new(&prior, &Point3::origin(), &[], &at).covariances(&[]).unwrap();
             let of_prior: f64 = (0..at.len()).map(|k| none[(k, k)]).sum();
             assert!(curved > 1.02 * linear && curved < of_prior, "{radius_mm}: {linear} {curved} {of_prior}");
         }
-        // A plane does not limit sliding along it, and without sliding there is no error of linearization.
+        // Without sliding there is no error of linearization.
         let still = SmoothPrior { translation_mm: 0.0, linear: 0.0, kernels: Vec::new() };
         let (sample, at) = cap(9.0);
-        let found = sample.posterior(&at, &still, 0.02, 12.0).unwrap();
-        assert!(found.variances.iter().all(|variance| *variance < 1e-12) && found.second_order < 1e-12);
+        assert!(sample.variances(&at, &still, 0.02, 12.0).unwrap().iter().all(|variance| *variance < 1e-12));
     }
 
     #[test]

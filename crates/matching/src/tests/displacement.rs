@@ -92,12 +92,19 @@ fn of_another_subject(p: &Point3<f64>) -> Point3<f64> {
         )
 }
 
-/// Source, target, and for every canonical source vertex its true image.
+/// The lopsided bean, its warped copy, and for every canonical vertex of the source its true image.
 fn pair(warp: fn(&Point3<f64>) -> Point3<f64>) -> (CanonicalMesh, CanonicalMesh, Vec<Point3<f64>>) {
-    let source = lopsided_bean();
+    pair_of(&lopsided_bean(), warp)
+}
+
+/// Source, target, and for every canonical vertex of the source its true image.
+fn pair_of(
+    source: &SurfaceMesh,
+    warp: fn(&Point3<f64>) -> Point3<f64>,
+) -> (CanonicalMesh, CanonicalMesh, Vec<Point3<f64>>) {
     let images: Vec<Point3<f64>> = source.vertices().iter().map(|p| motion().apply(&warp(p))).collect();
     let target = canonicalize(&source.with_vertices(images.clone()).unwrap());
-    let source = canonicalize(&source);
+    let source = canonicalize(source);
     let images = source.numbering.originals().iter().map(|&k| images[k as usize]).collect();
     (source, target, images)
 }
@@ -118,6 +125,20 @@ fn a_warped_copy_is_followed_where_no_rigid_transform_can() {
         assert!((image.closest.point - image.moved).norm() <= (image.moved - q).norm() + 1e-9);
     }
     assert_eq!(found.compared.len(), 2, "{:?}", found.compared);
+}
+
+#[test]
+fn the_answer_of_a_nearly_round_surface_is_as_uncertain_as_its_rotation() {
+    let spread = |mesh: &SurfaceMesh| {
+        let (source, target, _) = pair_of(mesh, warped);
+        let pose = motion();
+        let found =
+            displace(&source.mesh, &target.mesh, &[pose], &DisplacementOptions::default(), &Silent).unwrap().unwrap();
+        found.images.iter().map(|image| image.spread_mm).sum::<f64>() / found.images.len() as f64
+    };
+    let of_width = |y: f64| spread(&ellipsoid(Vector3::new(18.0, y, 6.0), 4));
+    let (bean, round, flat) = (spread(&lopsided_bean()), of_width(6.0), of_width(9.0));
+    assert!(round > 3.0 * bean && round > 1.5 * flat && flat > bean, "{bean} {flat} {round}");
 }
 
 #[test]

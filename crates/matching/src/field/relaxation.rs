@@ -74,6 +74,14 @@ impl RelaxationModel {
     }
 }
 
+/// The end of a relaxation.
+pub(super) struct Relaxed {
+    /// Where the points of the subsample are moved, mm.
+    pub places: Vec<Point3<f64>>,
+    /// The last field, relative to the rigid pose.
+    field: FittedField,
+}
+
 /// What all steps of a relaxation share: the observations of the source at a subsample, and a field under the process.
 pub(super) struct Relaxation<'a> {
     joint: FitContext<'a>,
@@ -112,16 +120,12 @@ impl<'a> Relaxation<'a> {
         &self.thinned.points
     }
 
-    /// Where the points of the subsample are relaxed to, and the last field, if the vertices of the smooth source are
-    /// `moved` before. `None` if a number is not finite.
+    /// The relaxation of the displacement from the pose `rigid` of the vertices of the smooth source to `moved`. `None` if a
+    /// number is not finite.
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].
-    pub(super) fn relaxed(
-        &self,
-        rigid: &RigidTransform,
-        moved: &[Point3<f64>],
-    ) -> Result<Option<(Vec<Point3<f64>>, FittedField)>, MatchError> {
+    pub(super) fn relaxed(&self, rigid: &RigidTransform, moved: &[Point3<f64>]) -> Result<Option<Relaxed>, MatchError> {
         let Relaxation { joint, noises, thinned, values, unexpressed, slopes } = self;
         let guided: Vec<Information> =
             joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();
@@ -146,7 +150,7 @@ impl<'a> Relaxation<'a> {
                 break;
             }
         }
-        Ok(last.map(|field| (places, field)))
+        Ok(last.map(|field| Relaxed { places, field }))
     }
 
     /// Slides `points` of the source at `moved` to their places under `field`.
@@ -179,7 +183,7 @@ pub(super) fn relax(
     else {
         return Ok(());
     };
-    let Some((_, field)) = relaxation.relaxed(rigid, moved)? else { return Ok(()) };
+    let Some(Relaxed { field, .. }) = relaxation.relaxed(rigid, moved)? else { return Ok(()) };
     relaxation.slide(rigid, &field, &mut PointSet { points: displacement.source.mesh.vertices(), moved });
     sets.iter_mut().for_each(|set| relaxation.slide(rigid, &field, set));
     Ok(())

@@ -57,8 +57,8 @@ pub(super) fn spread_of_rotations(
         relaxed(&fine.moved())
     };
     let (own, rotated) = rayon::join(of_own, of_rotated);
-    let (Some((own, _)), Some((rotated, _))) = (own?, rotated?) else { return Ok(None) };
-    let squares: Vec<f64> = own.iter().zip(&rotated).map(|(p, q)| 2.0 * (q - p).norm_squared()).collect();
+    let (Some(own), Some(rotated)) = (own?, rotated?) else { return Ok(None) };
+    let squares: Vec<f64> = own.places.iter().zip(&rotated.places).map(|(p, q)| 2.0 * (q - p).norm_squared()).collect();
     let spacing = displacement.source.areas.iter().sum::<f64>() / squares.len().max(1) as f64;
     Ok(Some(spread(relaxation.points(), &squares, spacing, points)))
 }

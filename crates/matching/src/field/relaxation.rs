@@ -53,6 +53,8 @@ struct NoiseModel {
 pub(super) struct RelaxationModel {
     pub process: Process,
     noises: NoiseModel,
+    /// Gradients of the features at the vertices of the target.
+    slopes: Vec<[Vector3<f64>; N_FEATURES]>,
 }
 
 impl RelaxationModel {
@@ -70,7 +72,8 @@ impl RelaxationModel {
             of_heights: sample.noise_of_heights(process.noise_mm, root_mm),
             of_features: (0..N_FEATURES).map(|feature| sample.noise_of_feature(feature, root_mm)).collect(),
         };
-        Some(RelaxationModel { process, noises })
+        let target = &displacement.target;
+        Some(RelaxationModel { process, noises, slopes: slopes(&target.mesh, &target.features) })
     }
 }
 
@@ -85,34 +88,32 @@ pub(super) struct Relaxed {
 /// What all steps of a relaxation share: the observations of the source at a subsample, and a field under the process.
 pub(super) struct Relaxation<'a> {
     joint: FitContext<'a>,
-    noises: &'a NoiseModel,
+    model: &'a RelaxationModel,
     thinned: Subsample,
-    /// The functions of the field at the points of the subsample, below them those of the landmarks.
+    /// Values of the functions of the field at the points of the subsample, then at the landmarks.
     values: Mat<f64>,
     /// Variance along an axis, mm², that the functions cannot express at each point.
     unexpressed: Vec<f64>,
-    slopes: Vec<[Vector3<f64>; N_FEATURES]>,
 }
 
 impl<'a> Relaxation<'a> {
     /// At most `n_points` are observed, and the field has `n_inducing` inducing points. `None` if a number is not finite.
     pub(super) fn new(
         displacement: &'a FitContext<'_>,
-        RelaxationModel { process, noises }: &'a RelaxationModel,
+        model: &'a RelaxationModel,
         (n_points, n_inducing): (usize, usize),
     ) -> Option<Relaxation<'a>> {
         let vertices = displacement.source.mesh.vertices();
         let joint = displacement.with_functions(displacement.functions.with_prior(
             vertices,
-            process.prior.clone(),
+            model.process.prior.clone(),
             n_inducing,
         )?);
         let thinned = joint.source.thinned(n_points);
         let of_points = joint.functions.values(&thinned.points);
         let unexpressed = joint.functions.unexpressed(&of_points);
         let values = joint.guides.below(of_points);
-        let slopes = slopes(&joint.target.mesh, &joint.target.features);
-        Some(Relaxation { joint, noises, thinned, values, unexpressed, slopes })
+        Some(Relaxation { joint, model, thinned, values, unexpressed })
     }
 
     /// The points of the subsample, mm.
@@ -126,7 +127,7 @@ impl<'a> Relaxation<'a> {
     /// # Errors
     /// [`MatchError::Cancelled`].
     pub(super) fn relaxed(&self, rigid: &RigidTransform, moved: &[Point3<f64>]) -> Result<Option<Relaxed>, MatchError> {
-        let Relaxation { joint, noises, thinned, values, unexpressed, slopes } = self;
+        let Relaxation { joint, model: RelaxationModel { noises, slopes, .. }, thinned, values, unexpressed } = self;
         let guided: Vec<Information> =
             joint.guides.observations(&InitialMap::rigid(*rigid)).iter().map(Information::from).collect();
         let starts: Vec<Point3<f64>> = thinned.points.iter().map(|p| rigid.apply(p)).collect();

@@ -26,7 +26,7 @@ use nalgebra::Point3;
 
 /// Rotation about the axis from which the field is fitted as well, degrees.
 const ANGLE_DEG: f64 = 20.0;
-/// Most points at which both fits are relaxed and compared, and inducing points of the field there.
+/// Largest number of points at which both fits are relaxed and compared, and number of inducing points of their field.
 const MOST_POINTS: usize = 400;
 const N_INDUCING: usize = 60;
 
@@ -59,6 +59,5 @@ pub(super) fn spread_of_rotations(
     let (own, rotated) = rayon::join(of_own, of_rotated);
     let (Some(own), Some(rotated)) = (own?, rotated?) else { return Ok(None) };
     let squares: Vec<f64> = own.places.iter().zip(&rotated.places).map(|(p, q)| 2.0 * (q - p).norm_squared()).collect();
-    let spacing = displacement.source.areas.iter().sum::<f64>() / squares.len().max(1) as f64;
-    Ok(Some(spread(relaxation.points(), &squares, spacing, points)))
+    Ok(Some(spread(relaxation.points(), &squares, displacement.source.areas.iter().sum(), points)))
 }

@@ -71,9 +71,9 @@ pub(super) struct Process {
     pub noise_mm: f64,
 }
 
-/// The posterior variance of the displacement, mm², at each of the `points` of the source, where the vertices of its smooth version are
-/// displaced from `start` to `moved`, under `process`, or if it is not known under that of this displacement. `None` if a
-/// number is not finite.
+/// The posterior variance of the displacement, mm², at each of the `points` of the source, where the vertices of its
+/// smooth version are displaced from `start` to `moved`, under `process`, or if it is not known under that of this
+/// displacement. `None` if a number is not finite.
 ///
 /// # Cost
 /// `O(N³ + N · points)` for `N` observed components, at most `MOST_HEIGHTS + 2 MOST_FEATURES`.
@@ -203,8 +203,8 @@ impl ObservationSample {
         (variance > 0.0).then(|| Noise { variance, correlated: self.correlated_area(&differences, root_mm) })
     }
 
-    /// The posterior variance of the displacement, mm², at every few of the points, at most [`MOST_VARIANCES`], for this prior and noise
-    /// along the normals. `at`: the points in the coordinates of the prior.
+    /// The posterior variance of the displacement, mm², at every few of the points, at most [`MOST_VARIANCES`], for this
+    /// prior and noise along the normals. `at`: the points in the coordinates of the prior.
     ///
     /// A height equals the component of the displacement along the normal only where the target is flat: if its point
     /// is off by `δ` along the surface, the height is off by `½ δᵀ W δ`. This error is noise of the height, whose
@@ -299,21 +299,21 @@ impl ObservationSample {
 
     /// Values of every few points of the sample, as from [`ObservationSample::variances`], at `points`.
     fn spread_to(&self, points: &[Point3<f64>], values: &[f64]) -> Vec<f64> {
-        let spacing = self.areas.iter().sum::<f64>() / values.len().max(1) as f64;
         let every = every(self.points.len(), MOST_VARIANCES);
         let of: Vec<Point3<f64>> = self.points.iter().step_by(every).copied().collect();
-        spread(&of, values, spacing, points)
+        spread(&of, values, self.areas.iter().sum(), points)
     }
 }
 
-/// The `values` at the points `of` a surface, each of which stands for an area of `area_mm2`, at other `points`: means
-/// weighted by distance.
+/// The `values` at the points `of` a surface of `area_mm2`, each of which stands for an equal part of it, at other
+/// `points`: means weighted by distance.
 pub(super) fn spread(of: &[Point3<f64>], values: &[f64], area_mm2: f64, points: &[Point3<f64>]) -> Vec<f64> {
+    let spacing = area_mm2 / values.len().max(1) as f64;
     let at = |p: &Point3<f64>| {
         let nearest = of.iter().map(|q| (p - q).norm_squared()).fold(f64::INFINITY, f64::min);
         let (mut sum, mut total) = (0.0, 0.0);
         for (q, value) in of.iter().zip(values) {
-            let weight = exp_negative_f64(-0.5 * ((p - q).norm_squared() - nearest) / area_mm2);
+            let weight = exp_negative_f64(-0.5 * ((p - q).norm_squared() - nearest) / spacing);
             sum += weight * value;
             total += weight;
         }

@@ -268,27 +268,31 @@ pub(crate) fn best_of_lowest(
     Ok(Some(BestBent { refined: best.refined, fine_misfit: best.misfit, compared }))
 }
 
-/// Repeats all stages from the result of `best` while this lowers the misfit.
+/// Repeats all stages from their result `refined`, which has this misfit, while this lowers the misfit.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(crate) fn iterate_while_improving(over_form: &OverForm<'_>, mut best: BestBent) -> Result<BestBent, MatchError> {
+pub(crate) fn iterate_while_improving(
+    over_form: &OverForm<'_>,
+    mut refined: FinalField,
+    mut misfit: f64,
+) -> Result<FinalField, MatchError> {
     let displacement = &over_form.displacement;
     let settings = &displacement.options.isometry;
     for _ in 0..settings.passes {
-        let Some(base) = rebased(displacement, &best.refined) else { break };
+        let Some(base) = rebased(displacement, &refined) else { break };
         let Some((_, state)) = over_form.coarse(&base) else { break };
         let Some(next) = run_remaining_stages(displacement, state)? else { break };
-        let misfit = fine_misfit(displacement, &over_form.moved(&next), false);
-        let gain = best.fine_misfit - misfit;
+        let of_next = fine_misfit(displacement, &over_form.moved(&next), false);
+        let gain = misfit - of_next;
         if gain > 0.0 {
-            (best.fine_misfit, best.refined) = (misfit, next);
+            (misfit, refined) = (of_next, next);
         }
         if gain < settings.least_gain {
             break;
         }
     }
-    Ok(best)
+    Ok(refined)
 }
 
 /// The source bent by the correspondences of `start`, over their rigid part.

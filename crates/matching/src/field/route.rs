@@ -28,13 +28,15 @@
 
 use super::agreement::agreement;
 use super::choice::{Chosen, choose_pose};
+use super::coarse::coarse_alone;
 use super::deformed::Deformed;
 use super::displacement::FitContext;
+use super::fine::fine;
 use super::finish::{finish_backward_fit, finish_fit, moved_rigidly};
-use super::fitted::{FinalField, FineStageFit};
+use super::fitted::{FinalField, FineStageFit, pose_of};
 use super::functions::Functions;
 use super::guides::LandmarkObservations;
-use super::isometry::{OverForm, bent_starts, best_of_lowest, iterate_while_improving, low_energies};
+use super::isometry::{BestBent, OverForm, bent_starts, best_of_lowest, iterate_while_improving, low_energies};
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{BothWays, ReverseFit, refined_both_ways, reverse_fit, with_backward_fit};
@@ -178,7 +180,7 @@ fn from_source(
             let outdone = |rigid: &&mut ComparedPose| rigid.finer != ComparisonOutcome::Better;
             compared.iter_mut().filter(outdone).for_each(|rigid| rigid.finer = ComparisonOutcome::Outdone);
             compared = route.compared.into_iter().chain(compared).collect();
-            BothWays { refined: route.refined, returned: None }
+            route.refined
         }
         (None, Some(reverse)) => {
             let deformed = finish_backward_fit(reverse, surfaces)?;
@@ -318,7 +320,7 @@ impl RigidEnd {
 
 /// An answer from a near isometry.
 struct IsometryRoute {
-    refined: FinalField,
+    refined: BothWays,
     /// The correspondences that were compared, the one kept first.
     compared: Vec<ComparedPose>,
     /// Whether the energy is no higher than that of the mirrored source, which also holds for a body whose left and
@@ -357,8 +359,8 @@ fn by_isometry(
     let Some(over_form) = source.form().and_then(|form| OverForm::new(forward, form)) else { return Ok((end, None)) };
     let starts = bent_starts(&over_form, &low)?;
     let Some(best) = best_of_lowest(&over_form, starts, &low)? else { return Ok((end, None)) };
-    let best = iterate_while_improving(&over_form, best)?;
-    let of_bent_end = unexplained(forward, &best.refined.moved(&forward.source.mesh), false);
+    let BestBent { refined, fine_misfit, compared } = best;
+    let of_bent_end = unexplained(forward, &refined.moved(&forward.source.mesh), false);
     let explains_more = match (of_rigid_end, of_bent_end) {
         (Some(rigid), Some(bent)) => rigid.excess_over(&bent) > PREFERRED,
         _ => false,
@@ -366,8 +368,28 @@ fn by_isometry(
     if !explains_more {
         return Ok((end, None));
     }
-    let is_of_same_handedness = low.are_of_same_handedness();
-    Ok((end, Some(IsometryRoute { refined: best.refined, compared: best.compared, is_of_same_handedness })))
+    // A near isometry also finds the pose of surfaces that are not bent. From there the answer has a posterior.
+    let from_rigid_part = if branching { None } else { from_rigid_part(surfaces, forward, &refined)? };
+    let refined = match from_rigid_part {
+        Some(refined) => refined,
+        None => BothWays { refined: iterate_while_improving(&over_form, refined, fine_misfit)?, returned: None },
+    };
+    Ok((end, Some(IsometryRoute { refined, compared, is_of_same_handedness: low.are_of_same_handedness() })))
+}
+
+/// The fit from the rigid part of a bent answer; `None` if the surfaces do not agree after it.
+fn from_rigid_part(
+    surfaces: &Surfaces<'_>,
+    forward: &FitContext<'_>,
+    bent: &FinalField,
+) -> Result<Option<BothWays>, MatchError> {
+    let pose = pose_of(forward, &bent.moved(&forward.source.mesh), &bent.base.pose);
+    let Some(state) = coarse_alone(forward, &pose) else { return Ok(None) };
+    let Some(fine) = fine(forward, state)? else { return Ok(None) };
+    if agreement(forward, &fine.moved()).is_doubtful(&forward.options.route) {
+        return Ok(None);
+    }
+    refined_both_ways(forward, surfaces, fine).map(Some)
 }
 
 fn least_misfit(compared: &[ComparedPose]) -> f64 {

@@ -233,8 +233,16 @@ pub struct SecondOpinionDocument {
     pub agreement: f64,
 }
 
-/// Factor on the confidences of an answer that is not reliable.
+/// Factor on the confidences of an answer that is not reliable for another reason than an ambiguous pose.
 pub const UNRELIABLE_CONFIDENCE: f64 = 0.1;
+
+/// Factor on the confidences of an answer that is not reliable for these `reasons`, where `n_as_good` other poses explain
+/// the surfaces as well: of these and its own pose each is as probable. 1 without a reason.
+pub fn trust(reasons: &[UnreliableReason], n_as_good: usize) -> f64 {
+    let is_doubted = reasons.iter().any(|reason| *reason != UnreliableReason::AmbiguousPose);
+    let of_pose = 1.0 / (1 + n_as_good) as f64;
+    if is_doubted { UNRELIABLE_CONFIDENCE * of_pose } else { of_pose }
+}
 
 /// Where a pose comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -569,6 +577,15 @@ pub struct InputProvenance {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn trust_is_divided_among_poses_that_are_as_good_and_a_tenth_for_other_reasons() {
+        use UnreliableReason::{AmbiguousPose, OtherHandedness, UnlikeShape};
+        assert_eq!(trust(&[], 0), 1.0);
+        assert_eq!(trust(&[AmbiguousPose], 3), 0.25);
+        assert_eq!(trust(&[UnlikeShape], 0), UNRELIABLE_CONFIDENCE);
+        assert_eq!(trust(&[UnlikeShape, OtherHandedness, AmbiguousPose], 1), 0.5 * UNRELIABLE_CONFIDENCE);
+    }
 
     #[test]
     fn csv_has_a_header_and_a_row_for_each_pair() {

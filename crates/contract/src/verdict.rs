@@ -2,8 +2,7 @@
 
 use crate::input::InputWarning;
 use crate::result::{
-    DeformationDocument, ResultDocument, SimilarityDocument, SurfaceDistanceDocument, UNRELIABLE_CONFIDENCE,
-    UnreliableReason,
+    DeformationDocument, ResultDocument, SimilarityDocument, SurfaceDistanceDocument, UnreliableReason, trust,
 };
 
 /// The verdict on an answer, with the distance between the registered surfaces.
@@ -40,22 +39,23 @@ impl ResultDocument {
         Verdict { reliable, reasons, warnings, surface_distance: self.surface_distance.clone() }
     }
 
-    /// Records `warnings`: their reasons make the answer unreliable, and lower its confidences if it was reliable so
-    /// far.
+    /// Records `warnings`: their reasons make the answer unreliable, and lower its confidences unless another reason has
+    /// done so.
     pub fn warn(&mut self, warnings: Vec<InputWarning>) {
         let reasons = warnings.iter().filter_map(|warning| warning.reason);
         if let Some(found) = &mut self.reliability {
-            let was_reliable = found.reliable;
+            let before = trust(&found.reasons, 0);
             for reason in reasons {
                 if !found.reasons.contains(&reason) {
                     found.reasons.push(reason);
                 }
                 found.reliable = false;
             }
-            if was_reliable && !found.reliable {
+            let factor = trust(&found.reasons, 0) / before;
+            if factor < 1.0 {
                 let mut next = self.correspondences.as_mut();
                 while let Some(columns) = next {
-                    columns.confidence.iter_mut().for_each(|confidence| *confidence *= UNRELIABLE_CONFIDENCE);
+                    columns.confidence.iter_mut().for_each(|confidence| *confidence *= factor);
                     next = columns.inverse.as_deref_mut();
                 }
             }

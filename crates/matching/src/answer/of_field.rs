@@ -6,7 +6,7 @@ use super::reliability::without_counterpart;
 use crate::pair::scene::Scene;
 use crate::poses::compared::{ComparedPose, Origin};
 use crate::starts::candidates::Start;
-use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument, UNRELIABLE_CONFIDENCE};
+use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument, trust};
 
 /// The answer of a displacement field; confidences are lowered if `reliability` is low.
 pub(crate) fn answered(
@@ -15,7 +15,8 @@ pub(crate) fn answered(
     found: &DisplacementAnswer,
     reliability: ReliabilityDocument,
 ) -> VertexImages {
-    let trust = if reliability.reliable { 1.0 } else { UNRELIABLE_CONFIDENCE };
+    let n_as_good = found.compared[1..].iter().filter(|other| other.is_as_good_as(&found.compared[0])).count();
+    let trust = trust(&reliability.reasons, n_as_good);
     let no_counterpart = without_counterpart(scene.target.mesh(), scene.edge_mm, &found.images);
     let confidence = found
         .images

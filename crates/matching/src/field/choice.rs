@@ -5,7 +5,7 @@ use super::coarse::{CoarseStage, screening};
 use super::displacement::FitContext;
 use super::fine::fine;
 use super::fitted::FineStageFit;
-use super::rivals::{Candidate, Comparison, compare_candidates};
+use super::rivals::{Candidate, Comparison, compare_candidates, unexplained_coarsely};
 use super::symmetries::missing_poses;
 use crate::error::MatchError;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
@@ -13,6 +13,7 @@ use crate::starts::start_pose::StartPose;
 use homolog_primitives::observe::checkpoint;
 use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
 use rayon::prelude::*;
+use std::cell::OnceCell;
 
 /// A pose after the coarse stage.
 struct ScreenedPose {
@@ -55,8 +56,8 @@ pub(crate) fn choose_pose(
     poses: &[StartPose],
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
-    let Some(followed) = screened(displacement, poses)? else { return Ok(None) };
     let coarse = CoarseStage::new(displacement);
+    let Some(followed) = screened(&coarse, poses)? else { return Ok(None) };
     let found = coarse.fit_all(&followed.iter().map(|&k| poses[k].pose).collect::<Vec<_>>())?;
     let mut compared: Vec<(ScreenedPose, State)> = Vec::new();
     for (&index, found) in followed.iter().zip(found) {
@@ -100,7 +101,7 @@ pub(crate) fn choose_pose(
         .zip(states)
         .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state, fit: None })
         .collect();
-    let mut comparison = compare_candidates(displacement, candidates)?;
+    let mut comparison = compare_candidates(&coarse, candidates)?;
     if let Some(symmetric) = best_symmetric(&coarse, &comparison, poses)? {
         // Starts that are no worse than the winner are compared anew, after the symmetric pose.
         let Comparison { mut candidates, .. } = comparison;
@@ -110,7 +111,7 @@ pub(crate) fn choose_pose(
             }
         }
         candidates.insert(1, symmetric);
-        comparison = compare_candidates(displacement, candidates)?;
+        comparison = compare_candidates(&coarse, candidates)?;
     }
     let compared = comparison.candidates.iter().map(|candidate| candidate.compared).collect();
     let winner = comparison.candidates.into_iter().next();
@@ -179,45 +180,54 @@ impl ChosenEnd {
     }
 }
 
-/// Indices of the poses to follow, by misfit after a few steps on few vertices: the best of each handedness, and for a
-/// rotation also the pose that was rotated.
-fn screened(displacement: &FitContext<'_>, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
-    let misfit = screening(displacement);
-    let screened: Vec<Option<(f64, usize)>> = poses
+/// Indices of the poses to follow, by misfit after a few steps on few vertices: the best of each handedness, others that
+/// explain about as much, and for a rotation also the pose that was rotated.
+fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
+    let displacement = coarse.displacement;
+    let settings = &displacement.options.choice;
+    let screening = screening(displacement);
+    let screened: Vec<Option<(f64, State)>> = poses
         .par_iter()
-        .enumerate()
-        .map(|(k, pose)| {
+        .map(|pose| {
             checkpoint(displacement.observer)?;
-            Ok(misfit(&pose.pose).map(|misfit| (misfit + pose.excess, k)))
+            Ok(screening(&pose.pose).map(|(misfit, state)| (misfit + pose.excess, state)))
         })
         .collect::<Result<_, MatchError>>()?;
-    let Some(mut screened) = screened.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
-    screened.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let Some(screened) = screened.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+    let mut order: Vec<usize> = (0..poses.len()).collect();
+    order.sort_by(|&a, &b| screened[a].0.total_cmp(&screened[b].0).then(a.cmp(&b)));
+    let unexplained = |k: usize| unexplained_coarsely(coarse, &screened[k].1, &poses[k].pose);
+    // What the best pose of either handedness leaves unexplained, if another is compared with it.
+    let of_best = [OnceCell::new(), OnceCell::new()];
     let mut followed: Vec<usize> = Vec::new();
-    for (_, k) in screened {
-        let alike = |&&other: &&usize| poses[other].pose.is_reflection() == poses[k].pose.is_reflection();
+    for k in order {
+        let is_reflection = poses[k].pose.is_reflection();
+        let same_handedness: Vec<usize> =
+            followed.iter().copied().filter(|&other| poses[other].pose.is_reflection() == is_reflection).collect();
         // Rotations of one pose take one place of the list together; the best of them is chosen later.
         let rotated = |index: usize| poses[index].rotation_of.unwrap_or(index);
-        let near = |&&other: &&usize| {
+        let near = |&other: &usize| {
             rotated(other) == rotated(k)
-                || displacement.are_same(&poses[other].pose, &poses[k].pose, displacement.options.choice.same_pose_rad)
+                || displacement.are_same(&poses[other].pose, &poses[k].pose, settings.same_pose_rad)
         };
-        let same_handedness: Vec<&usize> = followed.iter().filter(alike).collect();
+        if same_handedness.len() >= settings.most_followed || same_handedness.iter().any(near) {
+            continue;
+        }
         // Poses of one orientation at different places do not take the place of another orientation.
         let has_orientation_of = |other: usize| {
-            move |&&a: &&usize| {
-                SamePose::of_orientation().holds(
-                    &poses[a].pose,
-                    &poses[other].pose,
-                    displacement.options.choice.same_pose_rad,
-                )
+            move |&a: &usize| {
+                SamePose::of_orientation().holds(&poses[a].pose, &poses[other].pose, settings.same_pose_rad)
             }
         };
-        let has_room = same_handedness.len() < displacement.options.choice.followed
-            || same_handedness.len() == displacement.options.choice.followed
-                && same_handedness.iter().all(has_orientation_of(*same_handedness[0]))
+        let has_room = same_handedness.len() < settings.followed
+            || same_handedness.len() == settings.followed
+                && same_handedness.iter().all(has_orientation_of(same_handedness[0]))
                 && !same_handedness.iter().any(has_orientation_of(k));
-        if has_room && !same_handedness.iter().any(near) {
+        let explains_as_much = || {
+            let best = of_best[usize::from(is_reflection)].get_or_init(|| unexplained(same_handedness[0]));
+            !unexplained(k).is_worse_than(best)
+        };
+        if has_room || explains_as_much() {
             followed.push(k);
         }
     }

@@ -23,7 +23,8 @@ pub(crate) fn coarse_alone(displacement: &FitContext<'_>, pose: &RigidTransform)
 pub(crate) struct CoarseStage<'a> {
     pub displacement: &'a FitContext<'a>,
     pub source: Subsample,
-    target: AssignmentTarget,
+    pub target: Subsample,
+    pub assignment_target: AssignmentTarget,
     /// The functions of the field at the points of `source`.
     pub values: Mat<f64>,
 }
@@ -31,9 +32,9 @@ pub(crate) struct CoarseStage<'a> {
 impl<'a> CoarseStage<'a> {
     pub(crate) fn new(displacement: &'a FitContext<'a>) -> Self {
         let n = displacement.options.coarse.n_samples;
-        let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n).assignment_target());
+        let (source, target) = (displacement.source.thinned(n), displacement.target.thinned(n));
         let values = displacement.guides.below(displacement.functions.values(&source.points));
-        CoarseStage { displacement, source, target, values }
+        CoarseStage { displacement, source, assignment_target: target.assignment_target(), target, values }
     }
 
     /// The misfit and the field from each of `poses`; `None` where a number is not finite. One task per pose: a single
@@ -53,13 +54,13 @@ impl<'a> CoarseStage<'a> {
     fn fit(&self, pose: &RigidTransform) -> Option<(f64, State)> {
         let schedule = self.displacement.schedule(&self.displacement.options.coarse);
         let base = InitialMap::rigid(*pose);
-        coarse_from(self.displacement, &base, &self.source, &self.target, &self.values, schedule)
+        coarse_from(self.displacement, &base, &self.source, &self.assignment_target, &self.values, schedule)
     }
 }
 
-/// Returns a function that gives the misfit of a pose after a few steps on few vertices; `None` if a number is not
-/// finite.
-pub(crate) fn screening(displacement: &FitContext<'_>) -> impl Fn(&RigidTransform) -> Option<f64> + Sync {
+/// Returns a function that gives the misfit and the field of a pose after a few steps on few vertices; `None` if a
+/// number is not finite.
+pub(crate) fn screening(displacement: &FitContext<'_>) -> impl Fn(&RigidTransform) -> Option<(f64, State)> + Sync {
     let source = displacement.source.thinned(displacement.options.choice.screening_samples);
     let target = displacement.target.thinned(displacement.options.choice.screening_samples).assignment_target();
     let values = displacement.guides.below(displacement.functions.values(&source.points));
@@ -67,7 +68,6 @@ pub(crate) fn screening(displacement: &FitContext<'_>) -> impl Fn(&RigidTransfor
         // Ranking the poses needs no converged field, so no step is repeated.
         let schedule = Schedule::new(displacement.options.choice.screening_steps, 0, displacement.lengths.root_mm);
         coarse_from(displacement, &InitialMap::rigid(*pose), &source, &target, &values, schedule)
-            .map(|(misfit, _)| misfit)
     }
 }
 

@@ -15,6 +15,7 @@
 //! 1989.
 
 use super::base::State;
+use super::coarse::CoarseStage;
 use super::deformation_evidence::{deformation_evidence, lead, resolution_mm};
 use super::displacement::FitContext;
 use super::fine::fine_aside;
@@ -26,7 +27,6 @@ use crate::error::MatchError;
 use crate::pair::assignment::comparison_kernel;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome};
 use crate::surface::robust::mean_and_standard_error;
-use crate::surface::smooth::Subsample;
 use homolog_primitives::points::FarthestPoints;
 use homolog_registration::alignment::{OrientedPoints, point_misfits};
 use homolog_registration::deformation::HeightEvidence;
@@ -64,6 +64,11 @@ impl Unexplained {
         let (of_target, error_of_target) = differences(&self.of_target, &other.of_target);
         (of_source + of_target) / (error_of_source + error_of_target).max(f64::MIN_POSITIVE)
     }
+
+    /// Whether `better` explains significantly more.
+    pub(crate) fn is_worse_than(&self, better: &Unexplained) -> bool {
+        self.excess_over(better) > DISTINCT_STARTS
+    }
 }
 
 /// Whether the first of two correspondences is better than the second, which leaves more unexplained by `excess`
@@ -99,10 +104,11 @@ pub(crate) struct Comparison {
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(crate) fn compare_candidates(
-    displacement: &FitContext<'_>,
+    coarse: &CoarseStage<'_>,
     mut candidates: Vec<Candidate>,
 ) -> Result<Comparison, MatchError> {
-    let chosen = chosen_of(displacement, &mut candidates)?;
+    let displacement = coarse.displacement;
+    let chosen = chosen_of(coarse, &mut candidates)?;
     if !candidates.is_empty() {
         candidates[..=chosen].rotate_right(1);
     }
@@ -133,27 +139,26 @@ pub(crate) fn compare_candidates(
 
 /// The index of the candidate that explains most. Those that it has to be compared with get a fine stage, the others are
 /// outdone.
-fn chosen_of(displacement: &FitContext<'_>, candidates: &mut [Candidate]) -> Result<usize, MatchError> {
+fn chosen_of(coarse: &CoarseStage<'_>, candidates: &mut [Candidate]) -> Result<usize, MatchError> {
     // A single start has no rival.
     let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
-    let coarse: Vec<Option<Unexplained>> =
-        compared.par_iter().map(|candidate| unexplained_coarsely(displacement, candidate)).collect();
+    let coarsely: Vec<Unexplained> =
+        compared.par_iter().map(|c| unexplained_coarsely(coarse, &c.state, &c.pose)).collect();
     let mut chosen = 0;
     for k in 1..candidates.len() {
         let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
         if candidates[k].compared.finer != ComparisonOutcome::Undecided {
             continue;
         }
-        let (Some(own), Some(other)) = (&coarse[chosen], &coarse[k]) else { continue };
         // A difference this large is not undone by finer stages. A start of the other handedness counts only if it fits
         // better.
-        if other.excess_over(own) > if of_other_hand { 0.0 } else { RULED_OUT } {
+        if coarsely[k].excess_over(&coarsely[chosen]) > if of_other_hand { 0.0 } else { RULED_OUT } {
             candidates[k].compared.finer = ComparisonOutcome::Outdone;
             continue;
         }
         let missing = |k: usize| match candidates[k].fit {
             Some(_) => Ok(None),
-            None => unexplained_finely(displacement, &candidates[k]),
+            None => unexplained_finely(coarse, &candidates[k]),
         };
         let (of_chosen, of_other) = rayon::join(|| missing(chosen), || missing(k));
         for (k, found) in [(chosen, of_chosen?), (k, of_other?)] {
@@ -191,8 +196,11 @@ impl ComparedFit {
     /// The result of the comparison of this end, the chosen one, with another.
     fn compared_with(&self, other: &ComparedFit, displacement: &FitContext<'_>) -> ComparisonOutcome {
         if self.pose.is_reflection() != other.pose.is_reflection() {
-            let explains_more = self.unexplained.excess_over(&other.unexplained) > DISTINCT_STARTS;
-            return if explains_more { ComparisonOutcome::Better } else { ComparisonOutcome::Outdone };
+            return if self.unexplained.is_worse_than(&other.unexplained) {
+                ComparisonOutcome::Better
+            } else {
+                ComparisonOutcome::Outdone
+            };
         }
         if displacement.are_same(&self.pose, &other.pose, SAME_POSE_ANGLE) {
             ComparisonOutcome::Same
@@ -219,40 +227,38 @@ impl ComparedFit {
     }
 }
 
-/// Unexplained residual of the field of the coarse stage, at the scale at which that stage ends.
-fn unexplained_coarsely(displacement: &FitContext<'_>, candidate: &Candidate) -> Option<Unexplained> {
-    let thinned = displacement.source.thinned(displacement.options.coarse.n_samples);
-    let values = displacement.functions.values(&thinned.points);
-    let points = candidate.state.moved(&thinned.points, &values);
-    let normals = thinned.normals.iter().map(|n| candidate.pose.rotation * n).collect();
-    Some(at_coarse_scale(displacement, &thinned, &Placed { points, normals }))
+/// Unexplained residual of a field over the rigid `pose`, at the scale at which the coarse stage ends.
+pub(crate) fn unexplained_coarsely(coarse: &CoarseStage<'_>, state: &State, pose: &RigidTransform) -> Unexplained {
+    let points = state.moved(&coarse.source.points, &coarse.values);
+    let normals = coarse.source.normals.iter().map(|n| pose.rotation * n).collect();
+    at_coarse_scale(coarse, &Placed { points, normals })
 }
 
-/// Unexplained residual of the `thinned` source at `placed`, at the scale at which the coarse stage ends.
-fn at_coarse_scale(displacement: &FitContext<'_>, thinned: &Subsample, placed: &Placed) -> Unexplained {
-    let target = displacement.target.thinned(displacement.options.coarse.n_samples);
+/// Unexplained residual of the source of the coarse stage at `placed`, at the scale at which that stage ends.
+fn at_coarse_scale(coarse: &CoarseStage<'_>, placed: &Placed) -> Unexplained {
+    let CoarseStage { displacement, source, target, assignment_target, .. } = coarse;
     let kernel = comparison_kernel(displacement.options.coarse.sigma[1] * displacement.diagonal_mm);
-    let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..thinned.samples() };
-    let found = point_misfits(&samples, &target.assignment_target(), &kernel);
+    let samples = OrientedPoints { points: &placed.points, normals: &placed.normals, ..source.samples() };
+    let found = point_misfits(&samples, assignment_target, &kernel);
     Unexplained {
-        of_source: patch_means(&thinned.points, &thinned.areas, &found.of_source),
+        of_source: patch_means(&source.points, &source.areas, &found.of_source),
         of_target: patch_means(&target.points, &target.areas, &found.of_target),
     }
 }
 
 /// The end of a start after a fine stage; `None` if a number is not finite.
-fn unexplained_finely(displacement: &FitContext<'_>, candidate: &Candidate) -> Result<Option<ComparedFit>, MatchError> {
+fn unexplained_finely(coarse: &CoarseStage<'_>, candidate: &Candidate) -> Result<Option<ComparedFit>, MatchError> {
+    let displacement = coarse.displacement;
     let fit = Some(TracedFit::candidate());
     let Some(fine) = fine_aside(displacement, candidate.state.clone(), fit)? else { return Ok(None) };
     let moved = fine.moved();
     let mirrored = candidate.compared.mirrored;
-    let thinned = displacement.source.thinned(displacement.options.coarse.n_samples);
-    let Some(placed) = placed(displacement, &moved, mirrored, &thinned) else { return Ok(None) };
+    let Some(placed) = placed(displacement, &moved, mirrored, &coarse.source) else { return Ok(None) };
     let Some(unexplained) = unexplained(displacement, &moved, mirrored) else { return Ok(None) };
     Ok(Some(ComparedFit {
         fine,
         unexplained,
-        at_coarse_scale: at_coarse_scale(displacement, &thinned, &placed),
+        at_coarse_scale: at_coarse_scale(coarse, &placed),
         pose: pose_of(displacement, &moved, &candidate.pose),
         moved,
         deformation: OnceLock::new(),

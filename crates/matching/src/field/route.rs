@@ -6,9 +6,9 @@
 //! curvature features, whose variances are estimated in every step; then the field is fitted to the means of the
 //! assigned points.
 //!
-//! 1. **Coarse**, on thinned surfaces, `σ` from 5 % to 4 % of the diagonal, from the two best poses of each handedness
-//!    after a few steps from every pose. The pose of the lowest misfit is kept, so poses with head and tail exchanged,
-//!    and poses that mirror, are compared after their deformation.
+//! 1. **Coarse**, on thinned surfaces, `σ` from 5 % to 4 % of the diagonal, from the two to four best poses of each
+//!    handedness after a few steps from every pose. The pose of the lowest misfit is kept, so poses with head and tail
+//!    exchanged, and poses that mirror, are compared after their deformation.
 //! 2. **Middle**, on all vertices, to 2.5 % of the diagonal.
 //! 3. **Fine**: along the normal a vertex is pulled towards the closest point of the target, with the small variance of
 //!    points on surfaces; across the normal a tenth of the assignment's weight is kept. So the surface can slide,
@@ -21,6 +21,7 @@
 //!
 //! If the surfaces then do not agree, or a mirror image fits better, tubular surfaces are matched straightened
 //! ([`super::straightened`]), and the stages are run from correspondences of near isometries ([`super::isometry`]).
+//! Surfaces that these do not bend are fitted once more from the rigid part of the result.
 //!
 //! Sources: Myronenko, Song, "Point set registration: coherent point drift", IEEE PAMI 32(12), 2010; Hirose, "A
 //! Bayesian formulation of coherent point drift", IEEE PAMI 43(7), 2021 (prior, weights); Chen, Medioni 1992 (distance

@@ -10,8 +10,11 @@ pub(crate) struct ChoiceSettings {
     pub screening_steps: u32,
     /// Angle within which two poses of one handedness count as one, radians; only the better one is followed.
     pub same_pose_rad: f64,
-    /// Poses of one handedness that are followed after the screening.
+    /// Poses of one handedness that are followed after the screening, at least.
     pub followed: usize,
+    /// Most of them, if they do not explain significantly less than the best of them: a body with three axes of unlike
+    /// length has four.
+    pub most_followed: usize,
 }
 
 impl Default for ChoiceSettings {
@@ -21,6 +24,7 @@ impl Default for ChoiceSettings {
             screening_steps: 6,
             same_pose_rad: std::f64::consts::FRAC_PI_4,
             followed: 2,
+            most_followed: 4,
         }
     }
 }

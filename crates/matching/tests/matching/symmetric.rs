@@ -56,6 +56,13 @@ fn samplings_of_a_symmetric_shape_have_an_ambiguous_pose() {
 }
 
 #[test]
+fn a_confidence_is_divided_among_all_poses_that_explain_the_surfaces_as_well() {
+    let found = matched(triaxial);
+    assert_eq!(found.poses.iter().filter(|pose| pose.as_good).count(), 3, "{:?}", found.poses);
+    assert!(found.correspondences.confidence.iter().all(|&confidence| (0.1..=0.25).contains(&confidence)));
+}
+
+#[test]
 fn a_shape_with_one_pose_is_reliable() {
     let found = matched(with_bump).reliability.unwrap();
     assert!(found.reliable, "{found:?}");

@@ -47,13 +47,15 @@ impl ScreenedPose {
     }
 }
 
-/// The best of `poses` that may be kept. `None` if there is none, or if a number is not finite.
+/// The best of `poses` that may be kept. `None` if there is none, if none has a misfit below `to_beat`, or if a number is
+/// not finite.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(crate) fn choose_pose(
     displacement: &FitContext<'_>,
     poses: &[StartPose],
+    to_beat: f64,
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
     let coarse = CoarseStage::new(displacement);
@@ -93,7 +95,7 @@ pub(crate) fn choose_pose(
         };
         other.is_reached = better.iter().any(is_reached);
     }
-    if !kept.first().is_some_and(|best| best.may_answer) {
+    if !kept.first().is_some_and(|best| best.may_answer) || kept.iter().all(|start| start.misfit >= to_beat) {
         return Ok(None);
     }
     let candidates = kept

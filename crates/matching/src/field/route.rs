@@ -137,12 +137,9 @@ fn from_source(
 ) -> Result<Option<Fitted>, MatchError> {
     let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
     let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
-    let Some(Chosen { pose, end, mut compared }) = choose_pose(&forward, poses, may_answer)? else {
+    let Some(Chosen { pose, end, mut compared }) = choose_pose(&forward, poses, request.to_beat, may_answer)? else {
         return Ok(None);
     };
-    if least_misfit(&compared) >= request.to_beat {
-        return Ok(None);
-    }
     let Some(fine) = end.fine(&forward)? else { return Ok(None) };
     let wide = fine.moved();
     let mut reverse = reverse_of_subjects(surfaces, &forward, (&fine, &pose))?;

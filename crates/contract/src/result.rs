@@ -238,7 +238,7 @@ pub const UNRELIABLE_CONFIDENCE: f64 = 0.1;
 
 /// Factor on the confidences of an answer that is not reliable for these `reasons`, where `n_as_good` other poses explain
 /// the surfaces as well: of these and its own pose each is as probable. 1 without a reason.
-pub fn trust(reasons: &[UnreliableReason], n_as_good: usize) -> f64 {
+pub fn confidence_factor(reasons: &[UnreliableReason], n_as_good: usize) -> f64 {
     let is_doubted = reasons.iter().any(|reason| *reason != UnreliableReason::AmbiguousPose);
     let of_pose = 1.0 / (1 + n_as_good) as f64;
     if is_doubted { UNRELIABLE_CONFIDENCE * of_pose } else { of_pose }
@@ -579,12 +579,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn trust_is_divided_among_poses_that_are_as_good_and_a_tenth_for_other_reasons() {
+    fn the_factor_is_divided_among_poses_that_are_as_good_and_a_tenth_for_other_reasons() {
         use UnreliableReason::{AmbiguousPose, OtherHandedness, UnlikeShape};
-        assert_eq!(trust(&[], 0), 1.0);
-        assert_eq!(trust(&[AmbiguousPose], 3), 0.25);
-        assert_eq!(trust(&[UnlikeShape], 0), UNRELIABLE_CONFIDENCE);
-        assert_eq!(trust(&[UnlikeShape, OtherHandedness, AmbiguousPose], 1), 0.5 * UNRELIABLE_CONFIDENCE);
+        assert_eq!(confidence_factor(&[], 0), 1.0);
+        assert_eq!(confidence_factor(&[AmbiguousPose], 3), 0.25);
+        assert_eq!(confidence_factor(&[UnlikeShape], 0), UNRELIABLE_CONFIDENCE);
+        assert_eq!(confidence_factor(&[UnlikeShape, OtherHandedness, AmbiguousPose], 1), 0.5 * UNRELIABLE_CONFIDENCE);
     }
 
     #[test]

@@ -2,7 +2,8 @@
 
 use crate::input::InputWarning;
 use crate::result::{
-    DeformationDocument, ResultDocument, SimilarityDocument, SurfaceDistanceDocument, UnreliableReason, trust,
+    DeformationDocument, ResultDocument, SimilarityDocument, SurfaceDistanceDocument, UnreliableReason,
+    confidence_factor,
 };
 
 /// The verdict on an answer, with the distance between the registered surfaces.
@@ -44,14 +45,14 @@ impl ResultDocument {
     pub fn warn(&mut self, warnings: Vec<InputWarning>) {
         let reasons = warnings.iter().filter_map(|warning| warning.reason);
         if let Some(found) = &mut self.reliability {
-            let before = trust(&found.reasons, 0);
+            let before = confidence_factor(&found.reasons, 0);
             for reason in reasons {
                 if !found.reasons.contains(&reason) {
                     found.reasons.push(reason);
                 }
                 found.reliable = false;
             }
-            let factor = trust(&found.reasons, 0) / before;
+            let factor = confidence_factor(&found.reasons, 0) / before;
             if factor < 1.0 {
                 let mut next = self.correspondences.as_mut();
                 while let Some(columns) = next {

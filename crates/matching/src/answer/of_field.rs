@@ -6,7 +6,7 @@ use super::reliability::without_counterpart;
 use crate::pair::scene::Scene;
 use crate::poses::compared::{ComparedPose, Origin};
 use crate::starts::candidates::Start;
-use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument, trust};
+use homolog_contract::result::{PoseDocument, PoseOrigin, ReliabilityDocument, confidence_factor};
 
 /// The answer of a displacement field; confidences are lowered if `reliability` is low.
 pub(crate) fn answered(
@@ -16,13 +16,13 @@ pub(crate) fn answered(
     reliability: ReliabilityDocument,
 ) -> VertexImages {
     let n_as_good = found.compared[1..].iter().filter(|other| other.is_as_good_as(&found.compared[0])).count();
-    let trust = trust(&reliability.reasons, n_as_good);
+    let factor = confidence_factor(&reliability.reasons, n_as_good);
     let no_counterpart = without_counterpart(scene.target.mesh(), scene.edge_mm, &found.images);
     let confidence = found
         .images
         .iter()
         .zip(&no_counterpart)
-        .map(|(image, &alone)| if alone { 0.0 } else { trust * image.confidence })
+        .map(|(image, &alone)| if alone { 0.0 } else { factor * image.confidence })
         .collect();
     VertexImages {
         transform: found.transform,

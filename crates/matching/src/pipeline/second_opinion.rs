@@ -15,7 +15,7 @@ use crate::starts::search::sameness;
 use crate::surface::levels::Levels;
 use crate::thesis::coarse::prepare_problem;
 use homolog_contract::parameters::{DisplacementMode, MatchParameters, Method, preset};
-use homolog_contract::result::{SecondOpinionDocument, UnreliableReason, trust};
+use homolog_contract::result::{SecondOpinionDocument, UnreliableReason, confidence_factor};
 use homolog_mesh::{Numbering, SurfaceMesh};
 use homolog_primitives::observe::Observer;
 use homolog_registration::RigidTransform;
@@ -78,8 +78,8 @@ pub(crate) fn with_second_opinion(
     }
     reliability.second_opinion =
         Some(SecondOpinionDocument { angle_deg: angle_deg(&answer.transform, &other.transform), agreement });
-    let trust = trust(&reliability.reasons, other.poses.iter().filter(|pose| pose.as_good).count());
-    answer.confidence.iter_mut().for_each(|confidence| *confidence *= trust);
+    let factor = confidence_factor(&reliability.reasons, other.poses.iter().filter(|pose| pose.as_good).count());
+    answer.confidence.iter_mut().for_each(|confidence| *confidence *= factor);
     answer.reliability = Some(reliability);
     Ok(answer)
 }

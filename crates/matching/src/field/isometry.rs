@@ -201,22 +201,20 @@ pub(crate) fn bent_starts(over_form: &OverForm<'_>, low: &LowEnergies<'_>) -> Re
 
 /// The best fit from the near isometries that were followed.
 pub(crate) struct BestBent {
-    pub refined: FinalField,
-    /// Its misfit at the scale of the sampling.
-    pub fine_misfit: f64,
+    pub end: RefinedIsometry,
     /// The correspondences that were compared, the one kept first.
     pub compared: Vec<ComparedPose>,
 }
 
 /// A near isometry after all stages.
-struct RefinedIsometry {
+pub(crate) struct RefinedIsometry {
     start: NearIsometry,
-    refined: FinalField,
+    pub refined: FinalField,
     /// The vertices of the source where they are moved, mm.
-    moved: Vec<Point3<f64>>,
+    pub moved: Vec<Point3<f64>>,
     /// The misfit at the scale of the sampling.
-    misfit: f64,
-    unexplained: Option<Unexplained>,
+    pub misfit: f64,
+    pub unexplained: Option<Unexplained>,
 }
 
 impl RefinedIsometry {
@@ -265,7 +263,7 @@ pub(crate) fn best_of_lowest(
     }
     compared[chosen].finer = ComparisonOutcome::Undecided;
     compared[..=chosen].rotate_right(1);
-    Ok(Some(BestBent { refined: best.refined, fine_misfit: best.misfit, compared }))
+    Ok(Some(BestBent { end: best, compared }))
 }
 
 /// Repeats all stages from their result `refined`, which has this misfit, while this lowers the misfit.

@@ -37,7 +37,9 @@ use super::finish::{finish_backward_fit, finish_fit, moved_rigidly};
 use super::fitted::{FinalField, FineStageFit, pose_of};
 use super::functions::Functions;
 use super::guides::LandmarkObservations;
-use super::isometry::{BestBent, OverForm, bent_starts, best_of_lowest, iterate_while_improving, low_energies};
+use super::isometry::{
+    BestBent, OverForm, RefinedIsometry, bent_starts, best_of_lowest, iterate_while_improving, low_energies,
+};
 use super::options::DisplacementOptions;
 use super::refine::refined_from;
 use super::reverse::{BothWays, ReverseFit, refined_both_ways, reverse_fit, with_backward_fit};
@@ -357,20 +359,19 @@ fn by_isometry(
     let Some(over_form) = source.form().and_then(|form| OverForm::new(forward, form)) else { return Ok((end, None)) };
     let starts = bent_starts(&over_form, &low)?;
     let Some(best) = best_of_lowest(&over_form, starts, &low)? else { return Ok((end, None)) };
-    let BestBent { refined, fine_misfit, compared } = best;
-    let of_bent_end = unexplained(forward, &refined.moved(&forward.source.mesh), false);
-    let explains_more = match (of_rigid_end, of_bent_end) {
-        (Some(rigid), Some(bent)) => rigid.excess_over(&bent) > PREFERRED,
+    let BestBent { end: bent, compared } = best;
+    let explains_more = match (&of_rigid_end, &bent.unexplained) {
+        (Some(rigid), Some(bent)) => rigid.excess_over(bent) > PREFERRED,
         _ => false,
     };
     if !explains_more {
         return Ok((end, None));
     }
     // A near isometry also finds the pose of surfaces that are not bent. From there the answer has a posterior.
-    let from_rigid_part = if branching { None } else { from_rigid_part(surfaces, forward, &refined)? };
+    let from_rigid_part = if branching { None } else { from_rigid_part(surfaces, forward, &bent)? };
     let refined = match from_rigid_part {
         Some(refined) => refined,
-        None => BothWays { refined: iterate_while_improving(&over_form, refined, fine_misfit)?, returned: None },
+        None => BothWays { refined: iterate_while_improving(&over_form, bent.refined, bent.misfit)?, returned: None },
     };
     Ok((end, Some(IsometryRoute { refined, compared, is_of_same_handedness: low.are_of_same_handedness() })))
 }
@@ -379,9 +380,9 @@ fn by_isometry(
 fn from_rigid_part(
     surfaces: &Surfaces<'_>,
     forward: &FitContext<'_>,
-    bent: &FinalField,
+    bent: &RefinedIsometry,
 ) -> Result<Option<BothWays>, MatchError> {
-    let pose = pose_of(forward, &bent.moved(&forward.source.mesh), &bent.base.pose);
+    let pose = pose_of(forward, &bent.moved, &bent.refined.base.pose);
     let Some(state) = coarse_alone(forward, &pose) else { return Ok(None) };
     let Some(fine) = fine(forward, state)? else { return Ok(None) };
     if agreement(forward, &fine.moved()).is_doubtful(&forward.options.route) {

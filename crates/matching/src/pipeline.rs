@@ -4,8 +4,9 @@
 //! 1. [`prepare_problem()`]: the energy of a coarse level, if one is asked for;
 //! 2. [`find_pose()`]: a rigid transform, from rounds of inference or from registration alone, unless the field searches
 //!    for it;
-//! 3. [`find_images()`]: an image of every source vertex, through a smooth displacement field if one is asked for; for
-//!    surfaces of unlike sizes also with the source [`with_rescaled_source()`]; answers without a field get a second opinion;
+//! 3. [`find_images_at_either_size()`]: an image of every source vertex, through a smooth displacement field if one is
+//!    asked for; for surfaces of unlike sizes at the size at which they are more alike; answers without a field get a
+//!    second opinion;
 //! 4. [`build_outcome()`]: the outcome, with all measures of these images.
 
 mod counting;
@@ -16,10 +17,10 @@ mod resized;
 mod second_opinion;
 mod unseen;
 
-use self::images::find_images;
 use self::pose::find_pose;
-use self::resized::with_rescaled_source;
+use self::resized::find_images_at_either_size;
 use self::second_opinion::with_second_opinion;
+use self::unseen::RisingProgress;
 use crate::answer::outcome::MatchOutcome;
 use crate::answer::report::build_outcome;
 use crate::error::MatchError;
@@ -69,10 +70,10 @@ pub fn match_levels(
     observer: &dyn Observer,
 ) -> Result<MatchOutcome, MatchError> {
     observer.phase(Phase::Features);
+    let observer = &RisingProgress::new(observer);
     let coarse = prepare_problem(source, target, parameters, observer)?;
     let posed = find_pose(&coarse)?;
-    let displaced = find_images(&coarse, &posed)?;
-    let displaced = with_rescaled_source(source, target, parameters, displaced, observer)?;
+    let displaced = find_images_at_either_size((source, target), (&coarse, &posed))?;
     observer.phase(Phase::Reporting);
     let displaced = with_second_opinion(source, target, parameters, displaced, observer)?;
     let outcome = build_outcome(&coarse, &posed, &displaced);

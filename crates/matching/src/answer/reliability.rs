@@ -6,9 +6,8 @@ use crate::poses::compared::ComparisonOutcome;
 use homolog_contract::result::{ReliabilityDocument, UnreliableReason};
 use homolog_mesh::{ClosestPoint, SurfaceMesh};
 
-/// Likeness of the shapes below which they may be of different structures: the correlation of curvatures at
-/// corresponding points minus the distortion of the map. A smooth field brings any two shapes close to each other, but
-/// unlike shapes only with strong stretching and without agreement of their curvatures.
+/// Likeness of the shapes ([`likeness`](crate::field::agreement::Agreement::likeness)) below which they may be of
+/// different structures.
 const MIN_LIKENESS: f64 = 0.16;
 
 /// Distance from the target, in mean target edges, beyond which an image has no counterpart; the second value holds at
@@ -26,11 +25,6 @@ pub(crate) fn without_counterpart(target: &SurfaceMesh, edge_mm: f64, images: &[
         distance > limit * edge_mm
     };
     images.iter().map(away).collect()
-}
-
-/// Likeness of the two shapes according to an answer of this reliability, nearly 1 for copies; see [`MIN_LIKENESS`].
-pub(crate) fn likeness(found: &ReliabilityDocument) -> f64 {
-    found.curvature_agreement - found.distortion.unwrap_or(0.0)
 }
 
 /// Reliability of `found`.
@@ -54,7 +48,7 @@ pub(crate) fn reliability(found: &DisplacementAnswer) -> ReliabilityDocument {
         second_opinion: None,
     };
     let mut reasons = Vec::new();
-    if likeness(&answer) < MIN_LIKENESS {
+    if found.agreement.likeness(found.distortion) < MIN_LIKENESS {
         reasons.push(UnreliableReason::UnlikeShape);
     }
     if found.compared[1..].iter().any(|other| other.finer == ComparisonOutcome::Better) {

@@ -2,6 +2,7 @@
 
 use super::displacement::FitContext;
 use super::settings::RouteSettings;
+use super::strain::distortion;
 use crate::surface::robust::correlation;
 use crate::surface::smooth::{N_FEATURES, SmoothSurface};
 use homolog_mesh::ClosestPoint;
@@ -18,10 +19,24 @@ pub(crate) struct Agreement {
 }
 
 impl Agreement {
+    /// Likeness of the two shapes under a map of this angular `distortion`: nearly 1 for copies, below 0 if the map
+    /// distorts more than curvatures agree. A smooth field brings any two shapes close to each other, but unlike shapes
+    /// only with strong stretching and without agreement of their curvatures.
+    pub(crate) fn likeness(&self, distortion: f64) -> f64 {
+        self.curvature - distortion
+    }
+
     /// Whether another start may give a better agreement.
     pub(crate) fn is_doubtful(&self, settings: &RouteSettings) -> bool {
         self.normals < settings.doubtful_normals
     }
+}
+
+/// Likeness of the two shapes with the vertices of the source at `moved`: see [`Agreement::likeness`].
+///
+/// Cost `O(n log n')`.
+pub(crate) fn likeness(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> f64 {
+    agreement(displacement, moved).likeness(distortion(&displacement.source.mesh, moved))
 }
 
 /// Agreement of the source, its vertices at `moved`, with the closest points of the target. Points closest to the rim

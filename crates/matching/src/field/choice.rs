@@ -1,10 +1,12 @@
 //! Choice of the rigid pose: candidate poses are compared after the coarse stage of their displacements.
 
+use super::agreement::likeness;
 use super::base::State;
 use super::coarse::{CoarseStage, screening};
 use super::displacement::FitContext;
 use super::fine::fine;
 use super::fitted::FineStageFit;
+use super::options::IsOutdone;
 use super::rivals::{Candidate, Comparison, compare_candidates, unexplained_coarsely};
 use super::symmetries::missing_poses;
 use crate::error::MatchError;
@@ -47,15 +49,24 @@ impl ScreenedPose {
     }
 }
 
-/// The best of `poses` that may be kept. `None` if there is none, if none has a misfit below `to_beat`, or if a number is
-/// not finite.
+/// When a match ends without an answer after its coarse stage.
+#[derive(Clone, Copy)]
+pub(crate) enum EndsEarly<'a> {
+    Never,
+    /// If no start has a misfit below that of another answer.
+    WithoutMisfitBelow(f64),
+    IfOutdone(&'a IsOutdone<'a>),
+}
+
+/// The best of `poses` that may be kept. `None` if there is none, if the match `ends_early`, or if a number is not
+/// finite.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
 pub(crate) fn choose_pose(
     displacement: &FitContext<'_>,
     poses: &[StartPose],
-    to_beat: f64,
+    ends_early: EndsEarly<'_>,
     may_answer: impl Fn(&RigidTransform) -> bool,
 ) -> Result<Option<Chosen>, MatchError> {
     let coarse = CoarseStage::new(displacement);
@@ -95,7 +106,19 @@ pub(crate) fn choose_pose(
         };
         other.is_reached = better.iter().any(is_reached);
     }
-    if !kept.first().is_some_and(|best| best.may_answer) || kept.iter().all(|start| start.misfit >= to_beat) {
+    if !kept.first().is_some_and(|best| best.may_answer) {
+        return Ok(None);
+    }
+    let ends = match ends_early {
+        EndsEarly::Never => false,
+        EndsEarly::WithoutMisfitBelow(to_beat) => kept.iter().all(|start| start.misfit >= to_beat),
+        EndsEarly::IfOutdone(is_outdone) => {
+            let vertices = displacement.source.mesh.vertices();
+            let moved = states[0].moved(vertices, &displacement.functions.values(vertices));
+            is_outdone(likeness(displacement, &moved))?
+        }
+    };
+    if ends {
         return Ok(None);
     }
     let candidates = kept

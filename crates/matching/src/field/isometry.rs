@@ -7,6 +7,7 @@
 //! independently of a region that it is close to. The stages are those of a rigid start. The correspondences of lowest
 //! energy go through all stages, and the one of lowest misfit at the scale of the sampling is kept.
 
+use super::agreement::likeness;
 use super::base::{InitialMap, State};
 use super::coarse::coarse_from;
 use super::displacement::FitContext;
@@ -157,6 +158,12 @@ impl<'a> OverForm<'a> {
         coarse_from(&self.displacement, base, &self.thinned, &self.thinned_target, &self.values, schedule)
     }
 
+    /// Likeness of the two shapes after the coarse stage.
+    fn likeness(&self, state: &State) -> f64 {
+        let vertices = self.displacement.source.mesh.vertices();
+        likeness(&self.displacement, &state.moved(vertices, &self.displacement.functions.values(vertices)))
+    }
+
     /// Where `run_remaining_stages` moves the vertices of the source, mm.
     fn moved(&self, refined: &FinalField) -> Vec<Point3<f64>> {
         refined.moved(&self.displacement.source.mesh)
@@ -181,7 +188,8 @@ impl BentStart {
     }
 }
 
-/// The coarse stage from each of the correspondences of lowest energy for which it is possible.
+/// The coarse stage from the correspondence of lowest energy, and from those that do not cost significantly more, where it
+/// is possible.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -189,6 +197,7 @@ pub(crate) fn bent_starts(over_form: &OverForm<'_>, low: &LowEnergies<'_>) -> Re
     let found = low
         .starts
         .par_iter()
+        .filter(|start| !low.is_clearly_above_lowest(start))
         .map(|start| {
             checkpoint(over_form.displacement.observer)?;
             let Some(base) = bent(&over_form.displacement, start) else { return Ok(None) };
@@ -234,7 +243,8 @@ impl RefinedIsometry {
     }
 }
 
-/// The best of `starts`, of which those of lowest energy go through all stages. `None` if no fit succeeds.
+/// The best of `starts` after all stages. `None` if all of them distort the source more than curvatures agree, or if no
+/// fit succeeds.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -247,9 +257,11 @@ pub(crate) fn best_of_lowest(
     let settings = &displacement.options.isometry;
     let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
     let mut ends: Vec<Option<RefinedIsometry>> = Vec::new();
-    for BentStart { start, state, .. } in starts.into_iter().take(settings.refined) {
-        let refined =
-            if low.is_clearly_above_lowest(&start) { None } else { run_remaining_stages(displacement, state)? };
+    if !starts.iter().any(|start| over_form.likeness(&start.state) > settings.least_likeness) {
+        return Ok(None);
+    }
+    for BentStart { start, state, .. } in starts {
+        let refined = run_remaining_stages(displacement, state)?;
         ends.push(refined.map(|refined| RefinedIsometry::of(over_form, start, refined)));
     }
     let misfits = ends.iter().enumerate().filter_map(|(k, end)| Some((k, end.as_ref()?.misfit)));

@@ -1,9 +1,14 @@
 //! The settings that all stages of a displacement share.
 
 use super::settings::{ChoiceSettings, IsometryFitSettings, LocalSettings, RouteSettings, SlidingSettings};
+use crate::error::MatchError;
 use crate::pair::prior::PriorOptions;
 use homolog_contract::parameters::Uncertainty;
 use homolog_registration::alignment::annealed;
+
+/// Whether the match of another form of the same surfaces, given the likeness of the shapes after the coarse stage of
+/// this one, leaves this one without an answer.
+pub(crate) type IsOutdone<'a> = dyn Fn(f64) -> Result<bool, MatchError> + 'a;
 
 /// One stage of a displacement.
 #[derive(Debug, Clone, PartialEq)]

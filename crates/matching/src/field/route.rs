@@ -28,7 +28,7 @@
 //! from the tangent plane).
 
 use super::agreement::agreement;
-use super::choice::{Chosen, choose_pose};
+use super::choice::{Chosen, EndsEarly, choose_pose};
 use super::coarse::coarse_alone;
 use super::deformed::Deformed;
 use super::displacement::FitContext;
@@ -40,7 +40,7 @@ use super::guides::LandmarkObservations;
 use super::isometry::{
     BestBent, OverForm, RefinedIsometry, bent_starts, best_of_lowest, iterate_while_improving, low_energies,
 };
-use super::options::DisplacementOptions;
+use super::options::{DisplacementOptions, IsOutdone};
 use super::refine::refined_from;
 use super::reverse::{BothWays, ReverseFit, refined_both_ways, reverse_fit, with_backward_fit};
 use super::rivals::{PREFERRED, unexplained};
@@ -74,8 +74,7 @@ struct Request<'a> {
     allow_reflection: bool,
     options: &'a DisplacementOptions,
     observer: &'a FitTrace<'a>,
-    /// The misfit of another answer: if no start has a lower one, none is followed to its end.
-    to_beat: f64,
+    ends_early: EndsEarly<'a>,
 }
 
 /// The source deformed onto the target, from the best of the rigid `poses`. Poses that mirror are compared too, but
@@ -84,7 +83,7 @@ struct Request<'a> {
 /// Closed surfaces of two subjects are fitted from the one that is more spread out, and the map in the other direction
 /// is the inverse, so both directions give the same correspondences.
 ///
-/// `None` if no pose may be kept, or if a number is not finite. The result is the same to the bit on any number of
+/// `None` if no pose may be kept, if the match `is_outdone`, or if a number is not finite. The result is the same to the bit on any number of
 /// threads.
 ///
 /// # Errors
@@ -100,9 +99,11 @@ pub(crate) fn displace(
     allow_reflection: bool,
     options: &DisplacementOptions,
     observer: &dyn Observer,
+    is_outdone: Option<&IsOutdone<'_>>,
 ) -> Result<Option<Fitted>, MatchError> {
     let observer = FitTrace::new(observer);
-    let request = Request { allow_reflection, options, observer: &observer, to_beat: f64::INFINITY };
+    let ends_early = is_outdone.map_or(EndsEarly::Never, EndsEarly::IfOutdone);
+    let request = Request { allow_reflection, options, observer: &observer, ends_early };
     match surfaces.part {
         Some(Role::Target) => from_part(surfaces, prepared, poses, request),
         Some(Role::Source) | None => from_source(surfaces, prepared, poses, request),
@@ -130,7 +131,7 @@ fn from_part(
 
 /// The source deformed onto the target by the first of these that is acceptable: the fit in the other direction, the
 /// rigid motion of a copy, the answer for straightened tubes, the answer from a near isometry, the fit in this
-/// direction. `None` also if no pose has a lower misfit than `request.to_beat`.
+/// direction. `None` also if the match ends early.
 fn from_source(
     surfaces: &Surfaces<'_>,
     prepared: SmoothPair,
@@ -139,7 +140,7 @@ fn from_source(
 ) -> Result<Option<Fitted>, MatchError> {
     let Some(forward) = shared(surfaces, prepared, request)? else { return Ok(None) };
     let may_answer = |pose: &RigidTransform| request.allow_reflection || !pose.is_reflection();
-    let Some(Chosen { pose, end, mut compared }) = choose_pose(&forward, poses, request.to_beat, may_answer)? else {
+    let Some(Chosen { pose, end, mut compared }) = choose_pose(&forward, poses, request.ends_early, may_answer)? else {
         return Ok(None);
     };
     let Some(fine) = end.fine(&forward)? else { return Ok(None) };
@@ -160,7 +161,8 @@ fn from_source(
     let doubtful = evidence.mirror_image_fits_better || agreement(&forward, &wide).is_doubtful(&request.options.route);
     if may_be_straightened(surfaces, &evidence, doubtful, fine.residual_mm) {
         let to_beat = least_misfit(&compared) - request.options.route.straight;
-        if let Some(found) = by_tubes(surfaces, Request { to_beat, ..request })?
+        let ends_early = EndsEarly::WithoutMisfitBelow(to_beat);
+        if let Some(found) = by_tubes(surfaces, Request { ends_early, ..request })?
             && least_misfit(&found.compared) < to_beat
         {
             return Ok(Some(found));

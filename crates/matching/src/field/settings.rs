@@ -92,10 +92,11 @@ impl Default for LocalSettings {
 /// The fit from near isometries.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct IsometryFitSettings {
-    /// Correspondences of lowest energy that are followed.
+    /// Most correspondences of lowest energy that are followed.
     pub followed: usize,
-    /// Most of them that go through all stages.
-    pub refined: usize,
+    /// Likeness of the shapes after the coarse stage that one of them must exceed: a map that distorts more than
+    /// curvatures agree corresponds to nothing.
+    pub least_likeness: f64,
     /// Mean distance up to which two correspondences count as one, in roots of the area; smaller than the distance
     /// between sites.
     pub same: f64,
@@ -118,8 +119,8 @@ pub(crate) struct IsometryFitSettings {
 impl Default for IsometryFitSettings {
     fn default() -> Self {
         IsometryFitSettings {
-            followed: 8,
-            refined: 3,
+            followed: 3,
+            least_likeness: 0.0,
             same: 0.03,
             joint_width: 0.12,
             joint_amplitude: 0.05,

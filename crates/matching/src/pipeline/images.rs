@@ -9,7 +9,7 @@ use crate::answer::reliability::reliability;
 use crate::comparison::field_methods::by_method;
 use crate::comparison::registration_only::register;
 use crate::error::MatchError;
-use crate::field::options::DisplacementOptions;
+use crate::field::options::{DisplacementOptions, IsOutdone};
 use crate::field::route::displace;
 use crate::pair::lengths::Lengths;
 use crate::pair::part::part;
@@ -26,6 +26,17 @@ use homolog_contract::result::PoseOrigin;
 use homolog_primitives::observe::Phase;
 use homolog_registration::RigidTransform;
 use parking_lot::Mutex;
+use std::cell::RefCell;
+
+/// What follows from the likeness of the shapes after the coarse stage of a field.
+pub(crate) enum AfterCoarseStage {
+    GoOn,
+    /// Another form of the same surfaces is more alike; its answer, if it has one.
+    End(Option<VertexImages>),
+}
+
+/// Decides what follows from the likeness of the shapes after the coarse stage of a field.
+pub(crate) type Decision<'a> = dyn Fn(f64) -> Result<AfterCoarseStage, MatchError> + 'a;
 
 /// An image for every source vertex of `prepare_problem`, from the pose of `find_pose`.
 ///
@@ -33,17 +44,22 @@ use parking_lot::Mutex;
 /// labels of an energy support and, if these leave a doubt, the poses of a search of all orientations, including poses
 /// that mirror; or the first two alone (`displacement.starts`). The pose that fits best after the deformation is kept. If no field can be fitted, the images are those
 /// of the pose of `find_pose`, of registration alone if the pose was left to the field, or else of the first of the other
-/// poses. A published method starts from the first of these poses.
+/// poses. A published method starts from the first of these poses. After the coarse stage of a field the `decision` may
+/// give another answer.
 ///
 /// # Errors
 /// [`MatchError::NoRegistration`] if `find_pose` has no pose and there is no other one: without a displacement field, or if
 /// neither landmarks nor the search give one. [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].
-pub(crate) fn find_images(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>) -> Result<VertexImages, MatchError> {
+pub(crate) fn find_images(
+    coarse: &MatchProblem<'_>,
+    posed: &PoseResult<'_>,
+    decision: Option<&Decision<'_>>,
+) -> Result<VertexImages, MatchError> {
     let starts = match coarse.full.parameters.displacement.mode {
         DisplacementMode::None => Starts::of(own_pose(posed)),
         DisplacementMode::Smooth => {
             let mut starts = Starts::known(coarse, own_pose(posed));
-            if let Some(found) = by_field(coarse, posed, &mut starts)? {
+            if let Some(found) = by_field(coarse, posed, &mut starts, decision)? {
                 return Ok(found);
             }
             if matches!(posed, PoseResult::ByField) {
@@ -73,6 +89,19 @@ pub(crate) fn find_images(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>) -> 
         }
     };
     rigid(coarse, posed, &starts)
+}
+
+/// [`find_images()`] by a displacement field. `None` if no field can be fitted, or if the `decision` ends without images.
+///
+/// # Errors
+/// As [`find_images()`].
+pub(super) fn find_field_images(
+    coarse: &MatchProblem<'_>,
+    posed: &PoseResult<'_>,
+    decision: &Decision<'_>,
+) -> Result<Option<VertexImages>, MatchError> {
+    let mut starts = Starts::known(coarse, own_pose(posed));
+    by_field(coarse, posed, &mut starts, Some(decision))
 }
 
 /// The pose of `find_pose`, and its origin.
@@ -118,12 +147,13 @@ fn rigid(coarse: &MatchProblem<'_>, posed: &PoseResult<'_>, starts: &Starts) -> 
     })
 }
 
-/// The images of a smooth displacement field, from the start that fits best after the deformation. `None` if no field
-/// can be fitted.
+/// The images of a smooth displacement field, from the start that fits best after the deformation, or those of the
+/// `decision`. `None` if no field can be fitted, or if the decision ends without images.
 fn by_field(
     coarse: &MatchProblem<'_>,
     posed: &PoseResult<'_>,
     starts: &mut Starts,
+    decision: Option<&Decision<'_>>,
 ) -> Result<Option<VertexImages>, MatchError> {
     let (scene, source, target) = (&coarse.full, coarse.source, coarse.target);
     let observer = scene.observer;
@@ -184,9 +214,19 @@ fn by_field(
         ..DisplacementOptions::default()
     };
     let allow_reflection = scene.parameters.registration.allow_reflection;
-    let Some(fitted) = displace(&surfaces, smoothed, &poses, allow_reflection, &options, &counting)? else {
-        return Ok(None);
-    };
+    let elsewhere = RefCell::new(None);
+    let is_outdone = decision.map(|decide| {
+        |likeness: f64| match decide(likeness)? {
+            AfterCoarseStage::GoOn => Ok(false),
+            AfterCoarseStage::End(found) => {
+                elsewhere.replace(found);
+                Ok(true)
+            }
+        }
+    });
+    let is_outdone = is_outdone.as_ref().map(|f| f as &IsOutdone<'_>);
+    let fitted = displace(&surfaces, smoothed, &poses, allow_reflection, &options, &counting, is_outdone)?;
+    let Some(fitted) = fitted else { return Ok(elsewhere.into_inner()) };
     let found = DisplacementAnswer::of(fitted, &surfaces);
     let mut displaced = answered(scene, &starts.poses, &found, reliability(&found));
     displaced.inference =

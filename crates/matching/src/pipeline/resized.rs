@@ -1,76 +1,98 @@
-//! Surfaces of unlike sizes: the source is also matched scaled to the area of the target.
+//! Surfaces of unlike sizes: the source as it is, or scaled to the area of the target.
 //!
 //! From a rigid pose the field has to shrink or enlarge one surface before anything fits, and may stop in a local
 //! minimum on the way. Surfaces of equal area avoid this. But different sizes may also mean that one surface is a part
-//! of the other. So both sizes are matched, and the answer with the higher likeness of shapes is taken. An open surface
-//! that is smaller than a closed one is taken for a part and keeps its size.
+//! of the other. So both sizes are matched up to the coarse stage of the field, and the one at which the shapes are more
+//! alike there is matched to the end. An open surface that is smaller than a closed one is taken for a part and keeps
+//! its size.
 
-use super::images::find_images;
+use super::images::{AfterCoarseStage, find_field_images, find_images};
 use super::pose::find_pose;
-use super::unseen::StepsOnly;
+use super::unseen::UnseenUntilKept;
 use crate::answer::displaced::VertexImages;
-use crate::answer::reliability;
 use crate::error::MatchError;
 use crate::pair::part::part;
+use crate::pair::problem::MatchProblem;
 use crate::pair::role::Role;
+use crate::poses::posed::PoseResult;
 use crate::surface::levels::Levels;
 use crate::surface::moments::AreaMoments;
 use crate::thesis::coarse::prepare_problem;
-use homolog_contract::parameters::MatchParameters;
+use homolog_contract::parameters::DisplacementMode;
 use homolog_mesh::{Numbering, SurfaceMesh};
-use homolog_primitives::observe::Observer;
 use homolog_registration::RigidTransform;
 use nalgebra::{Point3, Vector3};
 
-/// Ratio of the roots of the areas, and of the spreads, from which the scaled source is matched too. This test only
-/// saves time; the likeness of the shapes decides.
+/// Ratio of the roots of the areas, and of the spreads, from which the scaled source is tried too. This test only saves
+/// time; the likeness of the shapes decides.
 const UNLIKE_SIZES: f64 = 1.25;
 
 /// Largest ratio of the roots of the areas at which an open surface may be a part of a closed one: a tenth of its area.
 const MOST_OF_PARTS: f64 = 3.2;
 
-/// The better of `found` and the answer for `source` scaled to the area of `target`, if their sizes differ enough.
+/// The images of [`find_images()`], of `source` as it is or scaled to the area of `target`.
 ///
 /// # Errors
 /// As [`find_images()`].
 ///
 /// # Cost
-/// Another match if the sizes differ, otherwise none.
-pub(crate) fn with_rescaled_source(
-    source: &Levels,
-    target: &Levels,
-    parameters: &MatchParameters,
-    found: VertexImages,
-    observer: &dyn Observer,
+/// A match; if the sizes differ, also another one up to its coarse stage.
+pub(super) fn find_images_at_either_size(
+    (source, target): (&Levels, &Levels),
+    (coarse, posed): (&MatchProblem<'_>, &PoseResult<'_>),
 ) -> Result<VertexImages, MatchError> {
+    let parameters = coarse.full.parameters;
     let factor = target.full.root_mm / source.full.root_mm;
-    let Some(as_they_are) = likeness(&found) else { return Ok(found) };
-    let apart = |ratio: f64| ratio.max(1.0 / ratio);
-    // Noise enlarges the area but hardly the spread; bending changes the spread but not the area. So both must differ.
-    let of_spread = spread_mm(target.full.mesh()) / spread_mm(source.full.mesh());
-    let differ = factor.is_finite() && apart(factor).min(apart(of_spread)) >= UNLIKE_SIZES;
-    if !differ || is_of_a_part(source, target, factor) {
-        return Ok(found);
+    let by_field = parameters.displacement.mode == DisplacementMode::Smooth;
+    if !by_field || !differ_in_size(source, target, factor) || is_of_a_part(source, target, factor) {
+        return find_images(coarse, posed, None);
     }
+    let scaled = |as_they_are: f64| {
+        let found = find_scaled_images((source, target), factor, coarse, as_they_are)?;
+        Ok(found.map_or(AfterCoarseStage::GoOn, |found| AfterCoarseStage::End(Some(found))))
+    };
+    find_images(coarse, posed, Some(&scaled))
+}
+
+/// The images for `source` scaled by `factor`. `None` if the shapes are no more alike than `as_they_are`, or if no field
+/// can be fitted.
+fn find_scaled_images(
+    (source, target): (&Levels, &Levels),
+    factor: f64,
+    problem: &MatchProblem<'_>,
+    as_they_are: f64,
+) -> Result<Option<VertexImages>, MatchError> {
     let mesh = source.full.mesh();
     let Ok(scaled) = mesh.with_vertices(mesh.vertices().iter().map(|p| p * factor).collect()) else {
-        return Ok(found);
+        return Ok(None);
     };
-    let numbering = Numbering::identity(scaled.n_vertices());
-    let levels = Levels::observed(&scaled, &numbering, parameters.inference.coarse_vertices, observer)?;
-    let mut parameters = parameters.clone();
+    let observer = UnseenUntilKept::new(problem.full.observer);
+    let mut parameters = problem.full.parameters.clone();
     for landmark in &mut parameters.landmarks {
         landmark.source_mm = landmark.source_mm.map(|x| x * factor);
     }
-    let observer = StepsOnly(observer);
+    let numbering = Numbering::identity(scaled.n_vertices());
+    let levels = Levels::observed(&scaled, &numbering, parameters.inference.coarse_vertices, &observer)?;
     let coarse = prepare_problem(&levels, target, &parameters, &observer)?;
     let posed = find_pose(&coarse)?;
-    let of_equal_area = find_images(&coarse, &posed)?;
-    if likeness(&of_equal_area).is_none_or(|likeness| likeness <= as_they_are) {
-        return Ok(found);
-    }
+    let decide = |likeness: f64| {
+        if likeness <= as_they_are {
+            return Ok(AfterCoarseStage::End(None));
+        }
+        observer.keep();
+        Ok(AfterCoarseStage::GoOn)
+    };
+    let found = find_field_images(&coarse, &posed, &decide)?;
     let center = center(mesh);
-    Ok(of_equal_area.of_original(&levels, |pose| unscaled(pose, factor, &center)))
+    Ok(found.map(|found| found.of_original(&levels, |pose| unscaled(pose, factor, &center))))
+}
+
+/// Whether the sizes differ, `factor` from the source to the target. Noise enlarges the area but hardly the spread;
+/// bending changes the spread but not the area. So both must differ.
+fn differ_in_size(source: &Levels, target: &Levels, factor: f64) -> bool {
+    let apart = |ratio: f64| ratio.max(1.0 / ratio);
+    let of_spread = spread_mm(target.full.mesh()) / spread_mm(source.full.mesh());
+    factor.is_finite() && apart(factor).min(apart(of_spread)) >= UNLIKE_SIZES
 }
 
 /// Whether a difference in size, `factor` from the source to the target, is explained by one surface being a part of
@@ -81,11 +103,6 @@ fn is_of_a_part(source: &Levels, target: &Levels, factor: f64) -> bool {
         Some(Role::Source) => (1.0..MOST_OF_PARTS).contains(&factor),
         Some(Role::Target) => (1.0..MOST_OF_PARTS).contains(&(1.0 / factor)),
     }
-}
-
-/// Likeness of the shapes according to an answer by a displacement field.
-fn likeness(answer: &VertexImages) -> Option<f64> {
-    answer.reliability.as_ref().map(reliability::likeness)
 }
 
 /// The mean of the surface over its area, mm.

@@ -5,9 +5,8 @@
 //! surfaces: if the two answers agree on the pose and on the corresponding points, the answer gets the verdict of the
 //! default method, otherwise it is unreliable.
 
-use super::images::find_images;
 use super::pose::find_pose;
-use super::resized::with_rescaled_source;
+use super::resized::find_images_at_either_size;
 use super::unseen::StepsOnly;
 use crate::answer::displaced::{Images, VertexImages};
 use crate::error::MatchError;
@@ -29,7 +28,7 @@ const LEAST_AGREEMENT: f64 = 0.5;
 /// field.
 ///
 /// # Errors
-/// As [`find_images()`], except that `answer` is returned without a verdict if the default method finds no registration.
+/// As [`find_images_at_either_size()`], except that `answer` is returned without a verdict if the default method finds no registration.
 ///
 /// # Cost
 /// A match by the default method, without the measures of its answer.
@@ -100,8 +99,8 @@ fn by_default_method(
     observer: &dyn Observer,
 ) -> Result<VertexImages, MatchError> {
     let coarse = prepare_problem(source, target, parameters, observer)?;
-    let found = find_images(&coarse, &find_pose(&coarse)?)?;
-    with_rescaled_source(source, target, parameters, found, observer)
+    let posed = find_pose(&coarse)?;
+    find_images_at_either_size((source, target), (&coarse, &posed))
 }
 
 /// Agreement of two maps, from the two images of each vertex: 1 minus the mean distance of the two images of a vertex

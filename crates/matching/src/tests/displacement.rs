@@ -49,7 +49,7 @@ fn displace_from(
         bending: homolog_contract::parameters::Bending::None,
         side_of: &|_| None,
     };
-    let fitted = route::displace(&surfaces, surfaces.smoothed()?, starts, true, options, observer)?;
+    let fitted = route::displace(&surfaces, surfaces.smoothed()?, starts, true, options, observer, None)?;
     Ok(fitted.map(|fitted| DisplacementAnswer::of(fitted, &surfaces)))
 }
 

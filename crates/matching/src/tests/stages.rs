@@ -38,7 +38,7 @@ fn stages(
     let levels = [&source, &target].map(|mesh| Levels::new(mesh, p.inference.coarse_vertices));
     let coarse = prepare_problem(&levels[0], &levels[1], &p, &Silent)?;
     let posed = find_pose(&coarse)?;
-    let displaced = find_images(&coarse, &posed);
+    let displaced = find_images(&coarse, &posed, None);
     see(&coarse, &posed, displaced.as_ref().map_err(Clone::clone));
     displaced.map(|displaced| build_outcome(&coarse, &posed, &displaced))
 }

@@ -32,7 +32,7 @@ fn no_file_imports_in_a_circle() {
     // The stages are seen: without arrows there would be no circles either.
     for (file, other) in [
         ("lib", "pipeline"),
-        ("pipeline", "pipeline::images"),
+        ("pipeline::resized", "pipeline::images"),
         ("pipeline::images", "field::route"),
         ("field::route", "field::finish"),
         ("field::fine", "pair::assignment"),

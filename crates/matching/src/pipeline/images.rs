@@ -32,7 +32,7 @@ use std::cell::RefCell;
 pub(crate) enum AfterCoarseStage {
     GoOn,
     /// Another form of the same surfaces is more alike; its answer, if it has one.
-    End(Option<VertexImages>),
+    End(Option<Box<VertexImages>>),
 }
 
 /// Decides what follows from the likeness of the shapes after the coarse stage of a field.
@@ -214,7 +214,7 @@ fn by_field(
         ..DisplacementOptions::default()
     };
     let allow_reflection = scene.parameters.registration.allow_reflection;
-    let elsewhere = RefCell::new(None);
+    let elsewhere: RefCell<Option<Box<VertexImages>>> = RefCell::new(None);
     let is_outdone = decision.map(|decide| {
         |likeness: f64| match decide(likeness)? {
             AfterCoarseStage::GoOn => Ok(false),
@@ -226,7 +226,7 @@ fn by_field(
     });
     let is_outdone = is_outdone.as_ref().map(|f| f as &IsOutdone<'_>);
     let fitted = displace(&surfaces, smoothed, &poses, allow_reflection, &options, &counting, is_outdone)?;
-    let Some(fitted) = fitted else { return Ok(elsewhere.into_inner()) };
+    let Some(fitted) = fitted else { return Ok(elsewhere.into_inner().map(|found| *found)) };
     let found = DisplacementAnswer::of(fitted, &surfaces);
     let mut displaced = answered(scene, &starts.poses, &found, reliability(&found));
     displaced.inference =

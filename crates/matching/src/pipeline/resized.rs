@@ -49,7 +49,7 @@ pub(super) fn find_images_at_either_size(
     }
     let scaled = |as_they_are: f64| {
         let found = find_scaled_images((source, target), factor, coarse, as_they_are)?;
-        Ok(found.map_or(AfterCoarseStage::GoOn, |found| AfterCoarseStage::End(Some(found))))
+        Ok(found.map_or(AfterCoarseStage::GoOn, |found| AfterCoarseStage::End(Some(Box::new(found)))))
     };
     find_images(coarse, posed, Some(&scaled))
 }

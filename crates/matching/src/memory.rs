@@ -54,7 +54,7 @@ fn described_numbers(parameters: &MatchParameters) -> u64 {
 }
 
 /// Peak memory of a match of surfaces of these sizes on two threads, bytes; `source` is the number of vertices and
-/// faces. At least what it takes, and at most twice that, for surfaces whose sizes differ (`tests/memory.rs`).
+/// faces. At least what it takes, and at most 2.25 times that, for surfaces whose sizes differ (`tests/memory.rs`).
 ///
 /// Not counted: the files and the result, and the scratch space for matrix products that each thread keeps, which
 /// depends on the processor.

@@ -16,7 +16,7 @@ const BYTES_PER_FITTED_VERTEX: u64 = 500;
 
 /// Memory of a displacement field for each vertex of the source: its images, and the levels and images of the source
 /// at the size of the target. Always counted, as the numbers of vertices do not show whether sizes differ.
-const BYTES_PER_MOVED_VERTEX: u64 = 2100;
+const BYTES_PER_MOVED_VERTEX: u64 = 1600;
 
 /// Memory of a displacement field for each vertex of the target, bytes.
 const BYTES_PER_TARGET_VERTEX: u64 = 500;
@@ -54,7 +54,7 @@ fn described_numbers(parameters: &MatchParameters) -> u64 {
 }
 
 /// Peak memory of a match of surfaces of these sizes on two threads, bytes; `source` is the number of vertices and
-/// faces. At least what it takes, and at most 2.25 times that, for surfaces whose sizes differ (`tests/memory.rs`).
+/// faces. At least what it takes, and at most twice that, for surfaces whose sizes differ (`tests/memory.rs`).
 ///
 /// Not counted: the files and the result, and the scratch space for matrix products that each thread keeps, which
 /// depends on the processor.

@@ -1,5 +1,6 @@
 //! How well two surfaces agree once one is deformed onto the other.
 
+use super::base::State;
 use super::displacement::FitContext;
 use super::settings::RouteSettings;
 use super::strain::distortion;
@@ -32,11 +33,12 @@ impl Agreement {
     }
 }
 
-/// Likeness of the two shapes with the vertices of the source at `moved`: see [`Agreement::likeness`].
+/// Likeness of the two shapes with the source where `state` moves it: see [`Agreement::likeness`].
 ///
-/// Cost `O(n log n')`.
-pub(crate) fn likeness(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> f64 {
-    agreement(displacement, moved).likeness(distortion(&displacement.source.mesh, moved))
+/// Cost `O(n log n' + n M)` for `M` functions of the field.
+pub(crate) fn likeness(displacement: &FitContext<'_>, state: &State) -> f64 {
+    let moved = displacement.source_moved_by(state);
+    agreement(displacement, &moved).likeness(distortion(&displacement.source.mesh, &moved))
 }
 
 /// Agreement of the source, its vertices at `moved`, with the closest points of the target. Points closest to the rim

@@ -112,11 +112,7 @@ pub(crate) fn choose_pose(
     let ends = match ends_early {
         EndsEarly::Never => false,
         EndsEarly::WithoutMisfitBelow(to_beat) => kept.iter().all(|start| start.misfit >= to_beat),
-        EndsEarly::IfOutdone(is_outdone) => {
-            let vertices = displacement.source.mesh.vertices();
-            let moved = states[0].moved(vertices, &displacement.functions.values(vertices));
-            is_outdone(likeness(displacement, &moved))?
-        }
+        EndsEarly::IfOutdone(is_outdone) => is_outdone(likeness(displacement, &states[0]))?,
     };
     if ends {
         return Ok(None);

@@ -1,5 +1,6 @@
 //! Surfaces, settings and functions that all stages of a displacement share.
 
+use super::base::State;
 use super::functions::Functions;
 use super::guides::LandmarkObservations;
 use super::options::{DisplacementOptions, StageSettings};
@@ -9,6 +10,7 @@ use crate::pair::lengths::Lengths;
 use crate::poses::rigid_part::Alignment;
 use crate::surface::smooth::SmoothSurface;
 use homolog_registration::{RigidTransform, SamePose};
+use nalgebra::Point3;
 use std::sync::Arc;
 
 /// Surfaces, settings and functions that all stages of a displacement share.
@@ -44,6 +46,12 @@ impl FitContext<'_> {
     /// Whether two poses of one handedness differ by less than `angle`, radians.
     pub(crate) fn are_same(&self, a: &RigidTransform, b: &RigidTransform, angle: f64) -> bool {
         self.same_place.unwrap_or_else(SamePose::of_orientation).holds(a, b, angle)
+    }
+
+    /// The vertices of the source where `state` moves them, mm.
+    pub(crate) fn source_moved_by(&self, state: &State) -> Vec<Point3<f64>> {
+        let vertices = self.source.mesh.vertices();
+        state.moved(vertices, &self.functions.values(vertices))
     }
 
     /// The same displacement with other functions.

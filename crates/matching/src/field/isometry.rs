@@ -158,12 +158,6 @@ impl<'a> OverForm<'a> {
         coarse_from(&self.displacement, base, &self.thinned, &self.thinned_target, &self.values, schedule)
     }
 
-    /// Likeness of the two shapes after the coarse stage.
-    fn likeness(&self, state: &State) -> f64 {
-        let vertices = self.displacement.source.mesh.vertices();
-        likeness(&self.displacement, &state.moved(vertices, &self.displacement.functions.values(vertices)))
-    }
-
     /// Where `run_remaining_stages` moves the vertices of the source, mm.
     fn moved(&self, refined: &FinalField) -> Vec<Point3<f64>> {
         refined.moved(&self.displacement.source.mesh)
@@ -188,8 +182,8 @@ impl BentStart {
     }
 }
 
-/// The coarse stage from the correspondence of lowest energy, and from those that do not cost significantly more, where it
-/// is possible.
+/// The coarse stage from the correspondence of lowest energy, and from those that do not cost significantly more, where
+/// it is possible.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
@@ -255,11 +249,11 @@ pub(crate) fn best_of_lowest(
 ) -> Result<Option<BestBent>, MatchError> {
     let displacement = &over_form.displacement;
     let settings = &displacement.options.isometry;
-    let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
-    let mut ends: Vec<Option<RefinedIsometry>> = Vec::new();
-    if !starts.iter().any(|start| over_form.likeness(&start.state) > settings.least_likeness) {
+    if !starts.iter().any(|start| likeness(displacement, &start.state) > settings.least_likeness) {
         return Ok(None);
     }
+    let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();
+    let mut ends: Vec<Option<RefinedIsometry>> = Vec::new();
     for BentStart { start, state, .. } in starts {
         let refined = run_remaining_stages(displacement, state)?;
         ends.push(refined.map(|refined| RefinedIsometry::of(over_form, start, refined)));

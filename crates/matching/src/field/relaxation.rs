@@ -90,7 +90,7 @@ pub(super) struct Relaxation<'a> {
     joint: FitContext<'a>,
     model: &'a RelaxationModel,
     thinned: Subsample,
-    /// The functions of the field at the observed points, then at the landmarks.
+    /// Each function of the field at the points of the subsample, and below these at the landmarks.
     values: Mat<f64>,
     /// Variance along an axis, mm², that the functions cannot express at each point.
     unexpressed: Vec<f64>,

@@ -48,7 +48,7 @@ pub(super) fn spread_of_rotations(
     let Some(axis) = RoundAxis::of(vertices, &displacement.source.areas) else { return Ok(None) };
     let Some(relaxation) = Relaxation::new(displacement, model, (MOST_POINTS, N_INDUCING)) else { return Ok(None) };
     let relaxed = |moved: &[Point3<f64>]| relaxation.relaxed(&pose_of(displacement, moved, pose), moved);
-    let of_own = || relaxed(&own.moved(vertices, &displacement.functions.values(vertices)));
+    let of_own = || relaxed(&displacement.source_moved_by(own));
     let of_rotated = || {
         checkpoint(displacement.observer)?;
         let start = axis.rotated(pose, ANGLE_DEG.to_radians());

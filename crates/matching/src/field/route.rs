@@ -83,8 +83,8 @@ struct Request<'a> {
 /// Closed surfaces of two subjects are fitted from the one that is more spread out, and the map in the other direction
 /// is the inverse, so both directions give the same correspondences.
 ///
-/// `None` if no pose may be kept, if the match `is_outdone`, or if a number is not finite. The result is the same to the bit on any number of
-/// threads.
+/// `None` if no pose may be kept, if the match `is_outdone`, or if a number is not finite. The result is the same to
+/// the bit on any number of threads.
 ///
 /// # Errors
 /// [`MatchError::ScaleSpace`]; [`MatchError::Cancelled`].

@@ -2,8 +2,8 @@
 //!
 //! From a rigid pose the field has to shrink or enlarge one surface before anything fits, and may stop in a local
 //! minimum on the way. Surfaces of equal area avoid this. But different sizes may also mean that one surface is a part
-//! of the other. So both sizes are matched up to the coarse stage of the field, and the one at which the shapes are more
-//! alike there is matched to the end. An open surface that is smaller than a closed one is taken for a part and keeps
+//! of the other. So the coarse stage of the field is run at both sizes, and the match goes on at the size at which the
+//! shapes are more alike. An open surface that is smaller than a closed one is taken for a part and keeps
 //! its size.
 
 use super::images::{AfterCoarseStage, find_field_images, find_images};

@@ -28,7 +28,8 @@ const LEAST_AGREEMENT: f64 = 0.5;
 /// field.
 ///
 /// # Errors
-/// As [`find_images_at_either_size()`], except that `answer` is returned without a verdict if the default method finds no registration.
+/// As [`find_images_at_either_size()`], except that `answer` is returned without a verdict if the default method finds no
+/// registration.
 ///
 /// # Cost
 /// A match by the default method, without the measures of its answer.

@@ -1,6 +1,6 @@
 //! Observers of a match within a match.
 
-use homolog_primitives::observe::{Observer, Phase, TracePoint};
+use homolog_primitives::observe::Observer;
 use parking_lot::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -30,30 +30,14 @@ impl<'a> UnseenUntilKept<'a> {
     pub(super) fn keep(&self) {
         self.is_kept.store(true, Ordering::Relaxed);
     }
-
-    fn kept(&self) -> Option<&dyn Observer> {
-        self.is_kept.load(Ordering::Relaxed).then_some(self.observer)
-    }
 }
 
 impl Observer for UnseenUntilKept<'_> {
-    fn phase(&self, phase: Phase) {
-        if let Some(observer) = self.kept() {
-            observer.phase(phase);
-        }
-    }
-    fn progress(&self, fraction: f64) {
-        if let Some(observer) = self.kept() {
-            observer.progress(fraction);
-        }
+    fn inner(&self) -> Option<&dyn Observer> {
+        self.is_kept.load(Ordering::Relaxed).then_some(self.observer)
     }
     fn step(&self) {
         self.observer.step();
-    }
-    fn trace(&self, point: &TracePoint) {
-        if let Some(observer) = self.kept() {
-            observer.trace(point);
-        }
     }
     fn is_cancelled(&self) -> bool {
         self.observer.is_cancelled()

@@ -37,8 +37,18 @@ impl Agreement {
 ///
 /// Cost `O(n log n' + n M)` for `M` functions of the field.
 pub(crate) fn likeness(displacement: &FitContext<'_>, state: &State) -> f64 {
-    let moved = displacement.source_moved_by(state);
-    agreement(displacement, &moved).likeness(distortion(&displacement.source.mesh, &moved))
+    likeness_at(displacement, &displacement.source_moved_by(state))
+}
+
+/// Whether the two shapes are more alike than shapes that have nothing in common, the vertices of the source at `moved`.
+///
+/// Cost `O(n log n')`.
+pub(crate) fn are_alike(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> bool {
+    likeness_at(displacement, moved) > displacement.options.route.least_likeness
+}
+
+fn likeness_at(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> f64 {
+    agreement(displacement, moved).likeness(distortion(&displacement.source.mesh, moved))
 }
 
 /// Agreement of the source, its vertices at `moved`, with the closest points of the target. Points closest to the rim

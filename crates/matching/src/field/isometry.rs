@@ -7,7 +7,7 @@
 //! independently of a region that it is close to. The stages are those of a rigid start. The correspondences of lowest
 //! energy go through all stages, and the one of lowest misfit at the scale of the sampling is kept.
 
-use super::agreement::likeness;
+use super::agreement::are_alike;
 use super::base::{InitialMap, State};
 use super::coarse::coarse_from;
 use super::displacement::FitContext;
@@ -248,8 +248,7 @@ pub(crate) fn best_of_lowest(
     low: &LowEnergies<'_>,
 ) -> Result<Option<BestBent>, MatchError> {
     let displacement = &over_form.displacement;
-    let settings = &displacement.options.isometry;
-    if !starts.iter().any(|start| likeness(displacement, &start.state) > settings.least_likeness) {
+    if !starts.iter().any(|start| are_alike(displacement, &displacement.source_moved_by(&start.state))) {
         return Ok(None);
     }
     let mut compared: Vec<ComparedPose> = starts.iter().map(BentStart::compared).collect();

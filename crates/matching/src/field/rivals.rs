@@ -14,6 +14,7 @@
 //! Source: Student's paired t test; Vuong, "Likelihood ratio tests for model selection and non-nested hypotheses",
 //! 1989.
 
+use super::agreement::are_alike;
 use super::base::State;
 use super::coarse::CoarseStage;
 use super::deformation_evidence::{deformation_evidence, lead, resolution_mm};
@@ -76,6 +77,13 @@ impl Unexplained {
 /// needed. Both count as independent numbers of variance 1.
 pub(crate) fn is_distinct(excess: f64, lead: f64) -> bool {
     (excess + lead) / std::f64::consts::SQRT_2 > DISTINCT_STARTS
+}
+
+/// The outcome of a comparison, given that of what two ends explain, and whether the shapes are alike at the chosen end
+/// alone, which is asked only if the other end is an alternative.
+fn unless_unlike(explained: ComparisonOutcome, is_alone: impl FnOnce() -> bool) -> ComparisonOutcome {
+    let is_alternative = matches!(explained, ComparisonOutcome::AsGood | ComparisonOutcome::Better);
+    if is_alternative && is_alone() { ComparisonOutcome::Outdone } else { explained }
 }
 
 /// A start with its field after the coarse stage.
@@ -186,6 +194,8 @@ pub(crate) struct ComparedFit {
     pose: RigidTransform,
     /// Its deformation, once it has been compared; the chosen end is compared with several.
     deformation: OnceLock<Option<HeightEvidence>>,
+    /// Whether the shapes are alike there, once that has been asked.
+    alike: OnceLock<bool>,
 }
 
 impl ComparedFit {
@@ -193,8 +203,20 @@ impl ComparedFit {
         self.deformation.get_or_init(|| deformation_evidence(displacement, &self.moved, &self.pose)).as_ref()
     }
 
-    /// The result of the comparison of this end, the chosen one, with another.
+    fn is_alike(&self, displacement: &FitContext<'_>) -> bool {
+        *self.alike.get_or_init(|| are_alike(displacement, &self.moved))
+    }
+
+    /// The result of the comparison of this end, the chosen one, with another. An end at which the shapes are not alike
+    /// is no alternative to one at which they are: what a pose leaves unexplained, and the deformation along the normals,
+    /// are small also where a map folds the source onto a part of the target.
     fn compared_with(&self, other: &ComparedFit, displacement: &FitContext<'_>) -> ComparisonOutcome {
+        let explained = self.explained_with(other, displacement);
+        unless_unlike(explained, || self.is_alike(displacement) && !other.is_alike(displacement))
+    }
+
+    /// The result of the comparison by what both ends explain.
+    fn explained_with(&self, other: &ComparedFit, displacement: &FitContext<'_>) -> ComparisonOutcome {
         if self.pose.is_reflection() != other.pose.is_reflection() {
             return if self.unexplained.is_worse_than(&other.unexplained) {
                 ComparisonOutcome::Better
@@ -262,6 +284,7 @@ fn unexplained_finely(coarse: &CoarseStage<'_>, candidate: &Candidate) -> Result
         pose: pose_of(displacement, &moved, &candidate.pose),
         moved,
         deformation: OnceLock::new(),
+        alike: OnceLock::new(),
     }))
 }
 
@@ -320,6 +343,18 @@ mod tests {
     fn what_a_start_leaves_unexplained_counts_only_as_far_as_its_deformation_agrees() {
         assert!(is_distinct(4.0, 3.0) && is_distinct(0.0, 6.0));
         assert!(!is_distinct(4.5, -0.8) && !is_distinct(2.8, 0.7));
+    }
+
+    #[test]
+    fn an_end_at_which_the_shapes_are_not_alike_is_no_alternative() {
+        use ComparisonOutcome::{AsGood, Better, Outdone, Same};
+        for explained in [AsGood, Better] {
+            assert_eq!(unless_unlike(explained, || true), Outdone);
+            assert_eq!(unless_unlike(explained, || false), explained);
+        }
+        for explained in [Outdone, Same] {
+            assert_eq!(unless_unlike(explained, || unreachable!("asked only of alternatives")), explained);
+        }
     }
 
     #[test]

@@ -94,9 +94,6 @@ impl Default for LocalSettings {
 pub(crate) struct IsometryFitSettings {
     /// Most correspondences of lowest energy that are followed.
     pub followed: usize,
-    /// Likeness of the shapes after the coarse stage that one of them must exceed: a map that distorts more than
-    /// curvatures agree corresponds to nothing.
-    pub least_likeness: f64,
     /// Mean distance up to which two correspondences count as one, in roots of the area; smaller than the distance
     /// between sites.
     pub same: f64,
@@ -120,7 +117,6 @@ impl Default for IsometryFitSettings {
     fn default() -> Self {
         IsometryFitSettings {
             followed: 3,
-            least_likeness: 0.0,
             same: 0.03,
             joint_width: 0.12,
             joint_amplitude: 0.05,
@@ -138,6 +134,9 @@ impl Default for IsometryFitSettings {
 pub(crate) struct RouteSettings {
     /// Mean cosine between normals below which another start is tried.
     pub doubtful_normals: f64,
+    /// Likeness of the shapes that a start must exceed to be an alternative to others: a map that distorts more than
+    /// curvatures agree corresponds to nothing.
+    pub least_likeness: f64,
     /// Difference in misfit from which the answer of straightened surfaces is taken: its best start, mirrored or not,
     /// against the best rigid start.
     pub straight: f64,
@@ -145,6 +144,6 @@ pub(crate) struct RouteSettings {
 
 impl Default for RouteSettings {
     fn default() -> Self {
-        RouteSettings { doubtful_normals: 0.87, straight: 0.2 }
+        RouteSettings { doubtful_normals: 0.87, least_likeness: 0.0, straight: 0.2 }
     }
 }

@@ -313,6 +313,57 @@ mod real_data {
         check_resampled(&hippocampi(10));
     }
 
+    /// The faces of an end of the surface along its longest axis, 30 % of the area; open where it was cut.
+    fn end_of(mesh: &SurfaceMesh, first: bool) -> SurfaceMesh {
+        let center = mesh.vertices().iter().map(|p| p.coords).sum::<Vector3<f64>>() / mesh.n_vertices() as f64;
+        let scatter = mesh.vertices().iter().map(|p| (p.coords - center) * (p.coords - center).transpose()).sum();
+        let axes = nalgebra::SymmetricEigen::<f64, nalgebra::Const<3>>::new(scatter);
+        let axis = axes.eigenvectors.column(axes.eigenvalues.imax()).into_owned();
+        let axis = if axis[axis.iamax()] > 0.0 { axis } else { -axis };
+        let at = |face: &[u32; 3]| face.iter().map(|&k| axis.dot(&mesh.vertices()[k as usize].coords)).sum::<f64>();
+        let mut faces = mesh.triangles();
+        faces.sort_by(|a, b| if first { at(a).total_cmp(&at(b)) } else { at(b).total_cmp(&at(a)) });
+        let area = |face: &[u32; 3]| {
+            let [a, b, c] = face.map(|k| mesh.vertices()[k as usize]);
+            (b - a).cross(&(c - a)).norm() / 2.0
+        };
+        let mut left = 0.3 * mesh.area();
+        faces.retain(|face| {
+            left -= area(face);
+            left >= 0.0
+        });
+        let mut number = std::collections::BTreeMap::new();
+        let mut vertices = Vec::new();
+        let indices = faces.as_flattened().iter().map(|&k| {
+            *number.entry(k).or_insert_with(|| {
+                vertices.push(mesh.vertices()[k as usize]);
+                vertices.len() as u32 - 1
+            })
+        });
+        let indices = indices.collect();
+        SurfaceMesh::new(vertices, mesh.arity(), indices).unwrap()
+    }
+
+    #[test]
+    #[ignore = "needs real data (hippocampus)"]
+    fn ends_are_found_on_other_subjects_and_mostly_without_doubt() {
+        const PAIRS: usize = 16;
+        let subjects = hippocampi(2 * PAIRS);
+        let (mut reliable, mut wrong) = (0, 0);
+        for (k, (source, target)) in subjects.iter().zip(&subjects[PAIRS..]).enumerate() {
+            let of_wholes = found(&run(source, target));
+            let end = end_of(&surface_of(source), k % 2 == 0);
+            let output = run(&write_ply(&end), target);
+            let is_reliable = output.document.reliability.as_ref().unwrap().reliable;
+            let angle = degrees_between(&found(&output), &of_wholes);
+            println!("pair {k}: {angle:.1} degrees from the wholes, reliable: {is_reliable}");
+            reliable += usize::from(is_reliable);
+            wrong += usize::from(is_reliable && angle > 45.0);
+        }
+        assert_eq!(wrong, 0);
+        assert!(2 * reliable >= PAIRS, "{reliable} of {PAIRS}");
+    }
+
     #[test]
     #[ignore = "needs real data (hippocampus)"]
     fn different_subjects_are_registered_from_any_orientation() {

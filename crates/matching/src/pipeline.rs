@@ -35,7 +35,8 @@ use homolog_primitives::observe::{Observer, Phase, Quantity, TracePoint};
 ///
 /// `source` is moved onto `target`; both are surfaces of any topology whose faces look outwards, mm. The answer is the
 /// same to the bit for the same surfaces, parameters and seed, on any number of threads, and renumbering the vertices
-/// of an input permutes it. Parameters are taken as they are: [`MatchParameters::check`] says which values are allowed.
+/// of an input permutes it. Parameters are taken as they are: `MatchParameters::check` (feature
+/// `serde`) says which values are allowed.
 ///
 /// # Errors
 /// [`MatchError`].

@@ -1,6 +1,5 @@
 //! How well two surfaces agree once one is deformed onto the other.
 
-use super::base::State;
 use super::displacement::FitContext;
 use super::settings::RouteSettings;
 use super::strain::distortion;
@@ -33,22 +32,18 @@ impl Agreement {
     }
 }
 
-/// Likeness of the two shapes with the source where `state` moves it: see [`Agreement::likeness`].
+/// Likeness of the two shapes with the vertices of the source at `moved`: see [`Agreement::likeness`].
 ///
-/// Cost `O(n log n' + n M)` for `M` functions of the field.
-pub(crate) fn likeness(displacement: &FitContext<'_>, state: &State) -> f64 {
-    likeness_at(displacement, &displacement.source_moved_by(state))
+/// Cost `O(n log n')`.
+pub(crate) fn likeness(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> f64 {
+    agreement(displacement, moved).likeness(distortion(&displacement.source.mesh, moved))
 }
 
 /// Whether the two shapes are more alike than shapes that have nothing in common, the vertices of the source at `moved`.
 ///
 /// Cost `O(n log n')`.
 pub(crate) fn are_alike(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> bool {
-    likeness_at(displacement, moved) > displacement.options.route.least_likeness
-}
-
-fn likeness_at(displacement: &FitContext<'_>, moved: &[Point3<f64>]) -> f64 {
-    agreement(displacement, moved).likeness(distortion(&displacement.source.mesh, moved))
+    likeness(displacement, moved) > displacement.options.route.least_likeness
 }
 
 /// Agreement of the source, its vertices at `moved`, with the closest points of the target. Points closest to the rim

@@ -112,7 +112,9 @@ pub(crate) fn choose_pose(
     let ends = match ends_early {
         EndsEarly::Never => false,
         EndsEarly::WithoutMisfitBelow(to_beat) => kept.iter().all(|start| start.misfit >= to_beat),
-        EndsEarly::IfOutdone(is_outdone) => is_outdone(likeness(displacement, &states[0]))?,
+        EndsEarly::IfOutdone(is_outdone) => {
+            is_outdone(likeness(displacement, &displacement.source_moved_by(&states[0])))?
+        }
     };
     if ends {
         return Ok(None);

@@ -3,11 +3,11 @@
 use homolog_contract::parameters::{Method, preset};
 use homolog_contract::result::UnreliableReason;
 use homolog_matching::{MatchOutcome, match_surfaces};
+use homolog_mesh::repair::drop_unused;
 use homolog_mesh::shapes::ellipsoid;
 use homolog_mesh::{FaceArity, SurfaceMesh};
 use homolog_primitives::observe::Silent;
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Vector3};
-use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 fn mapped(mesh: &SurfaceMesh, map: impl Fn(&Point3<f64>) -> Point3<f64>) -> SurfaceMesh {
@@ -31,21 +31,10 @@ fn whole(turn: &Rotation3<f64>) -> SurfaceMesh {
 
 /// The faces of `mesh` whose corners all have `keep`, without the vertices that they do not use.
 fn only(mesh: &SurfaceMesh, keep: impl Fn(&Point3<f64>) -> bool) -> SurfaceMesh {
-    let mut number = BTreeMap::new();
-    let mut vertices = Vec::new();
-    let mut faces = Vec::new();
-    for corners in mesh.triangles() {
-        if !corners.iter().all(|&v| keep(&mesh.vertices()[v as usize])) {
-            continue;
-        }
-        for v in corners {
-            faces.push(*number.entry(v).or_insert_with(|| {
-                vertices.push(mesh.vertices()[v as usize]);
-                vertices.len() as u32 - 1
-            }));
-        }
-    }
-    SurfaceMesh::new(vertices, FaceArity::Triangle, faces).unwrap()
+    let is_kept = |corners: &[u32; 3]| corners.iter().all(|&v| keep(&mesh.vertices()[v as usize]));
+    let faces: Vec<[u32; 3]> = mesh.triangles().into_iter().filter(is_kept).collect();
+    let kept = SurfaceMesh::new(mesh.vertices().to_vec(), FaceArity::Triangle, faces.into_flattened()).unwrap();
+    drop_unused(&kept).mesh
 }
 
 fn motion() -> Isometry3<f64> {

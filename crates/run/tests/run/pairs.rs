@@ -6,6 +6,7 @@ use homolog_contract::parameters::{MatchParameters, Method, preset};
 use homolog_formats::ReadLimits;
 use homolog_formats::nifti::{read_nifti, write_nifti};
 use homolog_formats::ply::write_ply;
+use homolog_mesh::repair::drop_unused;
 use homolog_mesh::volume::LabelVolume;
 use homolog_mesh::{ClosestPointIndex, SurfaceMesh};
 use homolog_primitives::observe::Silent;
@@ -321,27 +322,16 @@ mod real_data {
         let axis = axes.eigenvectors.column(axes.eigenvalues.imax()).into_owned();
         let axis = if axis[axis.iamax()] > 0.0 { axis } else { -axis };
         let at = |face: &[u32; 3]| face.iter().map(|&k| axis.dot(&mesh.vertices()[k as usize].coords)).sum::<f64>();
-        let mut faces = mesh.triangles();
-        faces.sort_by(|a, b| if first { at(a).total_cmp(&at(b)) } else { at(b).total_cmp(&at(a)) });
-        let area = |face: &[u32; 3]| {
-            let [a, b, c] = face.map(|k| mesh.vertices()[k as usize]);
-            (b - a).cross(&(c - a)).norm() / 2.0
-        };
+        let mut faces: Vec<([u32; 3], Vector3<f64>)> =
+            mesh.triangles().into_iter().zip(mesh.face_vector_areas()).collect();
+        faces.sort_by(|(a, _), (b, _)| if first { at(a).total_cmp(&at(b)) } else { at(b).total_cmp(&at(a)) });
         let mut left = 0.3 * mesh.area();
-        faces.retain(|face| {
-            left -= area(face);
+        faces.retain(|(_, area)| {
+            left -= area.norm();
             left >= 0.0
         });
-        let mut number = std::collections::BTreeMap::new();
-        let mut vertices = Vec::new();
-        let indices = faces.as_flattened().iter().map(|&k| {
-            *number.entry(k).or_insert_with(|| {
-                vertices.push(mesh.vertices()[k as usize]);
-                vertices.len() as u32 - 1
-            })
-        });
-        let indices = indices.collect();
-        SurfaceMesh::new(vertices, mesh.arity(), indices).unwrap()
+        let indices = faces.into_iter().flat_map(|(face, _)| face).collect();
+        drop_unused(&SurfaceMesh::new(mesh.vertices().to_vec(), mesh.arity(), indices).unwrap()).mesh
     }
 
     #[test]

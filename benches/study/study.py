@@ -60,15 +60,15 @@ if "joint" in parts:
     # All subjects and two halves of them: the same template and matches, with and without joint maps.
     for name, some in (("all", files), ("even", files[::2]), ("odd", files[1::2])):
         cohort = table(out / f"joint-{name}.csv", [{"id": stem(f), "file": f} for f in some])
-        for maps in ("pairs", "joint"):
-            folder = out / f"joint-{name}-{maps}"
-            if maps == "joint":
+        for how in ("pairs", "joint"):
+            folder = out / f"joint-{name}-{how}"
+            if how == "joint":
                 for part in ("matches", "template"):
                     shutil.copytree(out / f"joint-{name}-pairs" / part, folder / part, dirs_exist_ok=True)
-            seconds, processor, memory = study(cohort, folder, "--cycles", 8, "--correspondence", maps)
+            seconds, processor, memory = study(cohort, folder, "--cycles", 8, "--correspondence", how)
             found = list(csv.DictReader(open(folder / "quality.csv")))
             mean = lambda key: round(float(np.mean([float(row[key]) for row in found if row[key]])), 5)
-            say(f"joint {name} {maps}", **model_figures(folder), residual_mm=mean("residual_mm"), folded=mean("folded"),
+            say(f"joint {name} {how}", **model_figures(folder), residual_mm=mean("residual_mm"), folded=mean("folded"),
                 joint=document(folder)["found"]["joint"], seconds=round(seconds, 1), processor_seconds=round(processor, 1),
                 memory_mib=round(memory))
 

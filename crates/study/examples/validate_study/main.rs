@@ -5,8 +5,9 @@
 //! maps of the subjects as they were, moved by the deformation of the surface. It differs from a study of the deformed surfaces only
 //! in what their matches do with the deformation, and has the same error of the maps otherwise.
 //!
-//! Usage: `validate_study DATA OUT [short | draws N]`, with label volumes in `DATA/hippocampus`. Matches are kept in OUT. With `draws`
-//! all subjects are studied N times, other ones of them deformed each time, and only `draws.md` is written.
+//! Usage: `validate_study DATA OUT [short | splits | draws N]`, with label volumes in `DATA/hippocampus`. Matches are kept in OUT.
+//! With `splits` only the splits without an effect are measured, into `splits.md`. With `draws` all subjects are studied N times,
+//! other ones of them deformed each time, and only `draws.md` is written.
 #![allow(clippy::print_stdout)]
 
 mod draws;
@@ -66,12 +67,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (data, out, plan) = match arguments.as_slice() {
         [_, data, out] => (data, out, Plan::long()),
         [_, data, out, word] if word == "short" => (data, out, Plan::short()),
+        [_, data, out, word] if word == "splits" => {
+            let plan = Plan::long();
+            let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
+            return add_splits(&bench, &plan, String::new(), &Path::new(out).join("splits.md"));
+        }
         [_, data, out, word, number] if word == "draws" => {
             let (plan, number) = (Plan::long(), number.parse()?);
             let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
             return draws::report(&bench, &plan.plants, plan.subjects, number, &Path::new(out).join("draws.md"));
         }
-        _ => return Err("usage: validate_study DATA OUT [short | draws N]".into()),
+        _ => return Err("usage: validate_study DATA OUT [short | splits | draws N]".into()),
     };
     let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
     let report = Path::new(out).join("report.md");
@@ -93,6 +99,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
+    add_splits(&bench, &plan, text, &report)
+}
+
+/// Writes the splits without an effect to `report`, after `text`.
+fn add_splits(bench: &Bench, plan: &Plan, mut text: String, report: &Path) -> Result<(), Box<dyn Error>> {
     writeln!(
         text,
         "\nSplits without an effect, {} of {} subjects each: share with any corrected p up to 0.05.\n",
@@ -102,10 +113,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         "| maps | TFCE | largest \\|t\\| | significant (TFCE and FDR) | standard error |\n|---|---|---|---|---|\n",
     );
     for how in Correspondence::ALL {
-        let line = null::row(&bench, how, plan.splits, plan.permutations)?;
+        let line = null::row(bench, how, plan.splits, plan.permutations)?;
         println!("{line}");
         text.push_str(&line);
-        std::fs::write(&report, &text)?;
+        std::fs::write(report, &text)?;
     }
     println!("written to {}", report.display());
     Ok(())

@@ -8,7 +8,7 @@ use super::displacement::FitContext;
 use super::fitted::pose_of;
 use super::relaxation::{PointSet, RelaxationModel, relax};
 use super::reverse::{BothWays, ReverseFit, refined_both_ways};
-use super::roundness::spread_of_rotations;
+use super::roundness::spread_of_fits;
 use super::strain::distortion;
 use super::uncertainty;
 use crate::error::MatchError;
@@ -42,6 +42,7 @@ pub(crate) fn finish_fit(
     let (mut fitted, mut at_smooth) = (met(source, own), met(smooth, refined.moved(smooth)));
     // A small surface is not thinned: its field is fitted at all its vertices.
     let mut of_full = (source != full_source).then(|| met(full_source, refined.moved(full_source)));
+    let of_two_subjects = lengths.are_of_two_subjects(residual_mm);
     let mut model = None;
     let started = if refined.base.bend.is_some() {
         // The displacement of a bent base is no part of the field.
@@ -49,11 +50,13 @@ pub(crate) fn finish_fit(
     } else {
         // Limbs that move against each other are no displacement that is smooth in space.
         if !may_branch(surfaces) {
-            let mut sets = vec![PointSet { points: source.vertices(), moved: &mut fitted }];
-            sets.extend(of_full.as_mut().map(|moved| PointSet { points: full_source.vertices(), moved }));
             let rigid = pose_of(displacement, &at_smooth, &reached);
             model = RelaxationModel::of(displacement, &rigid, &at_smooth);
-            if let Some(model) = &model {
+            // Shapes of two subjects differ along the normals without a displacement as well, which a relaxation would
+            // take for one, so their answer is left where both fits meet.
+            if let Some(model) = model.as_ref().filter(|_| !of_two_subjects) {
+                let mut sets = vec![PointSet { points: source.vertices(), moved: &mut fitted }];
+                sets.extend(of_full.as_mut().map(|moved| PointSet { points: full_source.vertices(), moved }));
                 relax(displacement, model, &rigid, &mut at_smooth, &mut sets)?;
             }
         }
@@ -80,7 +83,10 @@ pub(crate) fn finish_fit(
     let posterior = || uncertainty::posterior(displacement, (&started, &at_smooth), points, process);
     // Copies start from their own pose: rotations have no part in their variance.
     let of_starts = || match &model {
-        Some(model) if !rigid.copies => spread_of_rotations(displacement, model, points, (&refined.wide, &reached)),
+        Some(model) if !rigid.copies => {
+            let unrelaxed = of_two_subjects.then_some(at_smooth.as_slice());
+            spread_of_fits(displacement, model, points, (&refined.wide, &reached), unrelaxed)
+        }
         _ => Ok(None),
     };
     let (variances, of_starts) = rayon::join(posterior, of_starts);

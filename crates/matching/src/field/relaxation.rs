@@ -8,6 +8,10 @@
 //! Gauss-Newton steps, and confidence is the posterior variance of the same model. Points slide along the target; their
 //! distance from it is left as it was fitted.
 //!
+//! Shapes of two subjects differ along the normals without a displacement as well. A relaxation takes this for one and
+//! slides after it: maps of a group vary more, labels and landmarks are met less often. Their answer is left where both
+//! fits meet, and only its spread is found with a relaxation ([`super::roundness`]).
+//!
 //! An answer on a bent base has no rigid start, relative to which a displacement would be small; it is left as it is.
 
 use super::base::InitialMap;
@@ -119,6 +123,11 @@ impl<'a> Relaxation<'a> {
     /// The points of the subsample, mm.
     pub(super) fn points(&self) -> &[Point3<f64>] {
         &self.thinned.points
+    }
+
+    /// The vertices of the smooth source that are these points.
+    pub(super) fn vertices(&self) -> &[usize] {
+        &self.thinned.vertices
     }
 
     /// The relaxation of the displacement from the pose `rigid` of the vertices of the smooth source to `moved`. `None` if a

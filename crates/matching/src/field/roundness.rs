@@ -1,4 +1,5 @@
-//! Spread of the answers from starts that are rotated about the axis about which a surface is most nearly round.
+//! Spread of the ends of several fits: from a start that is rotated about the axis about which a surface is most nearly
+//! round, and with and without relaxation.
 //!
 //! The rotation of a surface of revolution about its axis cannot be determined; the rotation of a nearly round surface
 //! hardly can. A smooth deformation compensates for a wrong rotation, so that each start ends at a different answer
@@ -10,6 +11,10 @@
 //! away on the other side. The three ends, at `d`, 0 and `−d` from the answer, are draws of where fits of this pair end:
 //! their sample variance is `d²`, and the truth, as one more draw, is off by `2 d²` on average. Misfits do not tell
 //! which of them is the truth, so they have no part in it.
+//!
+//! Between two subjects the answer is not relaxed, and the relaxed fit is an estimate of equal standing: where two such
+//! estimates are apart, each is off by their sample variance, half of their squared distance, beyond the posterior, which
+//! covers what they have in common.
 
 use super::base::State;
 use super::coarse::coarse_alone;
@@ -30,19 +35,21 @@ const ANGLE_DEG: f64 = 20.0;
 const MOST_POINTS: usize = 400;
 const N_INDUCING: usize = 60;
 
-/// Mean squared distance of the truth from the answer by what the rotation of the start leaves open, at each of the
-/// `points` of the source, mm². `own`: the fit from the start after the fine stage; `pose`: the rigid part of the answer.
-/// `None` if a number is not finite.
+/// Mean squared distance of the truth from the answer by what the rotation of the start, and relaxation, leave open, at
+/// each of the `points` of the source, mm². `own`: the fit from the start after the fine stage; `pose`: the rigid part of
+/// the answer; `unrelaxed`: where an answer that is not relaxed moves the vertices of the smooth source. `None` if a number
+/// is not finite.
 ///
 /// Cost: the first three stages, and two relaxations at few points.
 ///
 /// # Errors
 /// [`MatchError::Cancelled`].
-pub(super) fn spread_of_rotations(
+pub(super) fn spread_of_fits(
     displacement: &FitContext<'_>,
     model: &RelaxationModel,
     points: &[Point3<f64>],
     (own, pose): (&State, &RigidTransform),
+    unrelaxed: Option<&[Point3<f64>]>,
 ) -> Result<Option<Vec<f64>>, MatchError> {
     let vertices = displacement.source.mesh.vertices();
     let Some(axis) = RoundAxis::of(vertices, &displacement.source.areas) else { return Ok(None) };
@@ -58,6 +65,12 @@ pub(super) fn spread_of_rotations(
     };
     let (own, rotated) = rayon::join(of_own, of_rotated);
     let (Some(own), Some(rotated)) = (own?, rotated?) else { return Ok(None) };
-    let squares: Vec<f64> = own.places.iter().zip(&rotated.places).map(|(p, q)| 2.0 * (q - p).norm_squared()).collect();
+    let mut squares: Vec<f64> =
+        own.places.iter().zip(&rotated.places).map(|(p, q)| 2.0 * (q - p).norm_squared()).collect();
+    if let Some(answer) = unrelaxed {
+        for ((square, place), &vertex) in squares.iter_mut().zip(&own.places).zip(relaxation.vertices()) {
+            *square += 0.5 * (place - answer[vertex]).norm_squared();
+        }
+    }
     Ok(Some(spread(relaxation.points(), &squares, displacement.source.areas.iter().sum(), points)))
 }

@@ -54,7 +54,7 @@ pub(crate) fn finish_fit(
             model = RelaxationModel::of(displacement, &rigid, &at_smooth);
             // Shapes of two subjects differ along the normals without a displacement as well, which a relaxation would
             // take for one, so their answer is left where both fits meet.
-            if let Some(model) = model.as_ref().filter(|_| !of_two_subjects) {
+            if !of_two_subjects && let Some(model) = &model {
                 let mut sets = vec![PointSet { points: source.vertices(), moved: &mut fitted }];
                 sets.extend(of_full.as_mut().map(|moved| PointSet { points: full_source.vertices(), moved }));
                 relax(displacement, model, &rigid, &mut at_smooth, &mut sets)?;
@@ -82,17 +82,17 @@ pub(crate) fn finish_fit(
     let points = full_source.vertices();
     let posterior = || uncertainty::posterior(displacement, (&started, &at_smooth), points, process);
     // Copies start from their own pose: rotations have no part in their variance.
-    let of_starts = || match &model {
+    let of_fits = || match &model {
         Some(model) if !rigid.copies => {
             let unrelaxed = of_two_subjects.then_some(at_smooth.as_slice());
             spread_of_fits(displacement, model, points, (&refined.wide, &reached), unrelaxed)
         }
         _ => Ok(None),
     };
-    let (variances, of_starts) = rayon::join(posterior, of_starts);
+    let (variances, of_fits) = rayon::join(posterior, of_fits);
     let Some(mut variances) = variances else { return Ok(None) };
-    if let Some(of_starts) = of_starts? {
-        variances.iter_mut().zip(of_starts).for_each(|(variance, of_starts)| *variance += of_starts);
+    if let Some(of_fits) = of_fits? {
+        variances.iter_mut().zip(of_fits).for_each(|(variance, of_fits)| *variance += of_fits);
     }
     if let Some(error) = error {
         along::raise_variances(&mut variances, error, &lengths);

@@ -64,23 +64,25 @@ const MAPS: [Maps; 5] = [
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().collect();
-    let (data, out, plan) = match arguments.as_slice() {
-        [_, data, out] => (data, out, Plan::long()),
-        [_, data, out, word] if word == "short" => (data, out, Plan::short()),
-        [_, data, out, word] if word == "splits" => {
-            let plan = Plan::long();
-            let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
-            return add_splits(&bench, &plan, String::new(), &Path::new(out).join("splits.md"));
+    let usage = "usage: validate_study DATA OUT [short | splits | draws N]";
+    let [_, data, out, words @ ..] = arguments.as_slice() else { return Err(usage.into()) };
+    let (data, out) = (Path::new(data), Path::new(out));
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let plan = if words == ["short"] { Plan::short() } else { Plan::long() };
+    let open = || Bench::open(data, out, plan.subjects, plan.permutations);
+    match words.as_slice() {
+        [] | ["short"] => write_all(&open()?, &plan, &out.join("report.md")),
+        ["splits"] => write_splits(&open()?, &plan, String::new(), &out.join("splits.md")),
+        ["draws", number] => {
+            let number = number.parse()?;
+            draws::report(&open()?, &plan.plants, plan.subjects, number, &out.join("draws.md"))
         }
-        [_, data, out, word, number] if word == "draws" => {
-            let (plan, number) = (Plan::long(), number.parse()?);
-            let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
-            return draws::report(&bench, &plan.plants, plan.subjects, number, &Path::new(out).join("draws.md"));
-        }
-        _ => return Err("usage: validate_study DATA OUT [short | splits | draws N]".into()),
-    };
-    let bench = Bench::open(Path::new(data), Path::new(out), plan.subjects, plan.permutations)?;
-    let report = Path::new(out).join("report.md");
+        _ => Err(usage.into()),
+    }
+}
+
+/// Writes what studies find of each deformation, and the splits without an effect, to `report`.
+fn write_all(bench: &Bench, plan: &Plan, report: &Path) -> Result<(), Box<dyn Error>> {
     let mut text = format!(
         "{} hippocampi, every other one deformed; {} permutations; {} vertices.\n\n{HEADER}",
         plan.subjects,
@@ -95,15 +97,15 @@ fn main() -> Result<(), Box<dyn Error>> {
                 text.push_str(&line);
                 text.push('\n');
                 // Written as far as it is, because the long form takes hours.
-                std::fs::write(&report, &text)?;
+                std::fs::write(report, &text)?;
             }
         }
     }
-    add_splits(&bench, &plan, text, &report)
+    write_splits(bench, plan, text, report)
 }
 
 /// Writes the splits without an effect to `report`, after `text`.
-fn add_splits(bench: &Bench, plan: &Plan, mut text: String, report: &Path) -> Result<(), Box<dyn Error>> {
+fn write_splits(bench: &Bench, plan: &Plan, mut text: String, report: &Path) -> Result<(), Box<dyn Error>> {
     writeln!(
         text,
         "\nSplits without an effect, {} of {} subjects each: share with any corrected p up to 0.05.\n",

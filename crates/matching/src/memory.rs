@@ -16,7 +16,7 @@ const BYTES_PER_FITTED_VERTEX: u64 = 500;
 
 /// Memory of a displacement field for each vertex of the source: its images, and the levels and images of the source
 /// at the size of the target. Always counted, as the numbers of vertices do not show whether sizes differ.
-const BYTES_PER_MOVED_VERTEX: u64 = 1600;
+const BYTES_PER_MOVED_VERTEX: u64 = 1350;
 
 /// Memory of a displacement field for each vertex of the target, bytes.
 const BYTES_PER_TARGET_VERTEX: u64 = 500;

@@ -13,7 +13,7 @@ use crate::error::MatchError;
 use crate::poses::compared::{ComparedPose, ComparisonOutcome, Origin};
 use crate::starts::start_pose::StartPose;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose, absolute_orientation_of};
+use homolog_registration::{RigidTransform, SAME_POSE_ANGLE, SamePose};
 use rayon::prelude::*;
 use std::cell::OnceCell;
 
@@ -71,18 +71,13 @@ pub(crate) fn choose_pose(
 ) -> Result<Option<Chosen>, MatchError> {
     let coarse = CoarseStage::new(displacement);
     let Some(followed) = screened(&coarse, poses)? else { return Ok(None) };
-    let found = coarse.fit_all(&followed.iter().map(|&k| poses[k].pose).collect::<Vec<_>>())?;
+    let found = coarse.fit_all(&followed.iter().map(|start| start.pose).collect::<Vec<_>>())?;
     let mut compared: Vec<(ScreenedPose, State)> = Vec::new();
-    for (&index, found) in followed.iter().zip(found) {
+    for (&ScreenedStart { index, .. }, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
-        let pose = poses[index];
+        let pose = StartPose { pose: state.base.pose, ..poses[index] };
         let misfit = misfit + pose.excess;
-        let end = displacement.same_place.map(|_| {
-            let CoarseStage { source, values, .. } = &coarse;
-            let moved = state.moved(&source.points, values);
-            let (weights, mirrored) = (Some(&source.counted[..]), pose.pose.is_reflection());
-            absolute_orientation_of(&source.points, &moved, weights, mirrored).unwrap_or(pose.pose)
-        });
+        let end = displacement.same_place.map(|_| coarse.rigid_part(&state));
         let may_answer = may_answer(&pose.pose);
         compared.push((ScreenedPose { index, pose, misfit, may_answer, end, is_reached: false }, state));
     }
@@ -160,8 +155,9 @@ fn best_symmetric(
     let are_same = |a: &RigidTransform, b: &RigidTransform| displacement.are_same(a, b, SAME_POSE_ANGLE);
     let missing = missing_poses(&comparison.as_good, are_same);
     let found = coarse.fit_all(&missing)?;
-    let found = missing.into_iter().zip(found).filter_map(|(pose, found)| {
+    let found = found.into_iter().filter_map(|found| {
         let (misfit, state) = found?;
+        let pose = state.base.pose;
         let (origin, mirrored) = (Origin::Symmetric(of_winner, pose), pose.is_reflection());
         let misfit = misfit + poses[of_winner].excess;
         let compared = ComparedPose { origin, mirrored, misfit, finer: ComparisonOutcome::Undecided };
@@ -203,9 +199,17 @@ impl ChosenEnd {
     }
 }
 
-/// Indices of the poses to follow, by misfit after a few steps on few vertices: the best of each handedness, others that
+/// A start that is followed after the screening.
+struct ScreenedStart {
+    /// Its index among the starts.
+    index: usize,
+    /// The rigid part of the screened field.
+    pose: RigidTransform,
+}
+
+/// The poses to follow, by misfit after a few steps on few vertices: the best of each handedness, others that
 /// explain about as much, and for a rotation also the pose that was rotated.
-fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<usize>>, MatchError> {
+fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<ScreenedStart>>, MatchError> {
     let displacement = coarse.displacement;
     let settings = &displacement.options.choice;
     let screening = screening(displacement);
@@ -260,5 +264,6 @@ fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<
         let own = poses[k].rotation_of;
         followed.extend(own.filter(|own| !followed.contains(own)));
     }
-    Ok(Some(followed))
+    let end = |index: usize| ScreenedStart { index, pose: coarse.rigid_part(&screened[index].1) };
+    Ok(Some(followed.into_iter().map(end).collect()))
 }

@@ -1,4 +1,9 @@
 //! The coarse stage of a displacement: a field over a base, on thinned surfaces.
+//!
+//! A field is smallest from the pose at which it has no rigid part, and assignments slide slowly along a smooth surface, so
+//! where a fit ends depends on the pose from which it starts. Poses of a search differ by several degrees, and by others
+//! if source and target are exchanged. So the stage starts from the rigid part of the screening, and is repeated from its
+//! own. Both directions of a match then start from nearly one pose.
 
 use super::base::{InitialMap, State};
 use super::displacement::FitContext;
@@ -8,9 +13,9 @@ use crate::pair::assignment::{comparison_kernel, displaced, kernel, observed_mea
 use crate::surface::smooth::{N_FEATURES, Subsample};
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
-use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, assign, misfit};
 use homolog_registration::deformation::fit_field;
+use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -37,8 +42,8 @@ impl<'a> CoarseStage<'a> {
         CoarseStage { displacement, source, assignment_target: target.assignment_target(), target, values }
     }
 
-    /// The misfit and the field from each of `poses`; `None` where a number is not finite. One task per pose: a single
-    /// step is too short to share between cores.
+    /// The misfit and the field from the rigid part that the stage reaches from each of `poses`; `None` where a number is
+    /// not finite. One task per pose: a single step is too short to share between cores.
     ///
     /// # Errors
     /// [`MatchError::Cancelled`].
@@ -46,9 +51,16 @@ impl<'a> CoarseStage<'a> {
         let displacement = self.displacement;
         let from = |pose: &RigidTransform| {
             checkpoint(displacement.observer)?;
-            Ok(self.fit(pose))
+            Ok(self.fit(pose).and_then(|(_, state)| self.fit(&self.rigid_part(&state))))
         };
         poses.par_iter().map(from).collect()
+    }
+
+    /// The rigid part of the map of `state`, or its pose if that fails.
+    pub(crate) fn rigid_part(&self, state: &State) -> RigidTransform {
+        let (pose, points) = (state.base.pose, &self.source.points);
+        let moved = state.moved(points, &self.values);
+        absolute_orientation_of(points, &moved, Some(&self.source.counted), pose.is_reflection()).unwrap_or(pose)
     }
 
     fn fit(&self, pose: &RigidTransform) -> Option<(f64, State)> {

@@ -6,10 +6,9 @@ use crate::surface::side::SurfaceLevel;
 /// Least sampling distance, in roots of the area: a field of tens of functions is no more precise on finer sampling.
 const FINEST_SAMPLING: f64 = 0.022;
 
-/// Robust standard deviation of residuals along the normals up to which two surfaces show one anatomy, in sampling
-/// distances: up to here they are copies if they have it after a rigid alignment, and above it after a deformation they
-/// are of two subjects.
-pub(crate) const ONE_ANATOMY: f64 = 0.17;
+/// Robust standard deviation of residuals along the normals after a deformation from which two surfaces are of two
+/// subjects, in sampling distances.
+const TWO_SUBJECTS: f64 = 0.135;
 
 /// Squared error of an image that no field explains, in squared sampling distances; fitted.
 const SAMPLING_VARIANCE: f64 = 0.039;
@@ -34,7 +33,7 @@ impl Lengths {
 
     /// Whether a residual along the normals after a deformation is as large as between two subjects.
     pub(crate) fn are_of_two_subjects(&self, residual_mm: f64) -> bool {
-        residual_mm >= ONE_ANATOMY * self.sampling_mm
+        residual_mm >= TWO_SUBJECTS * self.sampling_mm
     }
 }
 

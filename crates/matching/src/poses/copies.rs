@@ -1,9 +1,11 @@
 //! Whether two surfaces are copies of one shape. Copies can be aligned more precisely than two subjects.
 
-use crate::pair::lengths::ONE_ANATOMY;
 use homolog_primitives::observe::{Cancelled, Observer};
 use homolog_registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptions, align_both_ways};
 
+/// Robust standard deviation of residuals along the normals after a rigid alignment up to which surfaces are copies, in
+/// mean edge lengths of the target.
+const ONE_ANATOMY: f64 = 0.17;
 /// Least share of the area of one surface whose closest points lie inside the rim of the other. Surfaces that only
 /// touch give no evidence.
 const LEAST_OVERLAP: f64 = 0.5;

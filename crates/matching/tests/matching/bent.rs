@@ -85,8 +85,9 @@ fn a_tube_folded_by_150_degrees_is_matched_straightened() {
     }
     let rigid = matched_by(Bending::None, &source, &target);
     assert!(rigid.poses.iter().all(|pose| pose.origin != PoseOrigin::Form));
-    // Where no bending is tried, nothing but the distortion shows that the answer is wrong: there 0.42.
-    assert!(rigid.reliability.as_ref().unwrap().distortion > Some(0.35), "{:?}", rigid.reliability);
+    // Repeated from its rigid part, the fit without bending finds it too, and distorts more: 0.29 in place of 0.06.
+    assert!(mean_error(&rigid, &target) < 0.025, "{}", mean_error(&rigid, &target));
+    assert!(rigid.reliability.as_ref().unwrap().distortion > Some(0.2), "{:?}", rigid.reliability);
 }
 
 #[test]

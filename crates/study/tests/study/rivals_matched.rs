@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
-const SUBJECTS: usize = 24;
+const SUBJECTS: usize = 32;
 
 struct Quiet;
 impl StudyObserver for Quiet {}

@@ -73,9 +73,9 @@ pub(crate) fn choose_pose(
     let Some(followed) = screened(&coarse, poses)? else { return Ok(None) };
     let found = coarse.fit_all(&followed.iter().map(|start| start.pose).collect::<Vec<_>>())?;
     let mut compared: Vec<(ScreenedPose, State)> = Vec::new();
-    for (&ScreenedStart { index, .. }, found) in followed.iter().zip(found) {
+    for (&FollowedStart { index, .. }, found) in followed.iter().zip(found) {
         let Some((misfit, state)) = found else { return Ok(None) };
-        let pose = StartPose { pose: state.base.pose, ..poses[index] };
+        let pose = poses[index];
         let misfit = misfit + pose.excess;
         let end = displacement.same_place.map(|_| coarse.rigid_part(&state));
         let may_answer = may_answer(&pose.pose);
@@ -117,7 +117,7 @@ pub(crate) fn choose_pose(
     let candidates = kept
         .iter()
         .zip(states)
-        .map(|(start, state)| Candidate { compared: start.compared(), pose: start.pose.pose, state, fit: None })
+        .map(|(start, state)| Candidate { compared: start.compared(), state, fit: None })
         .collect();
     let mut comparison = compare_candidates(&coarse, candidates)?;
     if let Some(symmetric) = best_symmetric(&coarse, &comparison, poses)? {
@@ -133,7 +133,8 @@ pub(crate) fn choose_pose(
     }
     let compared = comparison.candidates.iter().map(|candidate| candidate.compared).collect();
     let winner = comparison.candidates.into_iter().next();
-    Ok(winner.map(|Candidate { pose, state, fit, .. }| {
+    Ok(winner.map(|Candidate { state, fit, .. }| {
+        let pose = state.base.pose;
         let end = match fit {
             Some(fit) => ChosenEnd::Fine(fit.fine),
             None => ChosenEnd::Coarse(state),
@@ -161,7 +162,7 @@ fn best_symmetric(
         let (origin, mirrored) = (Origin::Symmetric(of_winner, pose), pose.is_reflection());
         let misfit = misfit + poses[of_winner].excess;
         let compared = ComparedPose { origin, mirrored, misfit, finer: ComparisonOutcome::Undecided };
-        (misfit < winner.compared.misfit).then_some(Candidate { compared, pose, state, fit: None })
+        (misfit < winner.compared.misfit).then_some(Candidate { compared, state, fit: None })
     });
     Ok(found.min_by(|a, b| a.compared.misfit.total_cmp(&b.compared.misfit)))
 }
@@ -200,7 +201,7 @@ impl ChosenEnd {
 }
 
 /// A start that is followed after the screening.
-struct ScreenedStart {
+struct FollowedStart {
     /// Its index among the starts.
     index: usize,
     /// The rigid part of the screened field.
@@ -209,7 +210,7 @@ struct ScreenedStart {
 
 /// The poses to follow, by misfit after a few steps on few vertices: the best of each handedness, others that
 /// explain about as much, and for a rotation also the pose that was rotated.
-fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<ScreenedStart>>, MatchError> {
+fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<FollowedStart>>, MatchError> {
     let displacement = coarse.displacement;
     let settings = &displacement.options.choice;
     let screening = screening(displacement);
@@ -223,7 +224,7 @@ fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<
     let Some(screened) = screened.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
     let mut order: Vec<usize> = (0..poses.len()).collect();
     order.sort_by(|&a, &b| screened[a].0.total_cmp(&screened[b].0).then(a.cmp(&b)));
-    let unexplained = |k: usize| unexplained_coarsely(coarse, &screened[k].1, &poses[k].pose);
+    let unexplained = |k: usize| unexplained_coarsely(coarse, &screened[k].1);
     // What the best pose of either handedness leaves unexplained, if another is compared with it.
     let of_best = [OnceCell::new(), OnceCell::new()];
     let mut followed: Vec<usize> = Vec::new();
@@ -264,6 +265,6 @@ fn screened(coarse: &CoarseStage<'_>, poses: &[StartPose]) -> Result<Option<Vec<
         let own = poses[k].rotation_of;
         followed.extend(own.filter(|own| !followed.contains(own)));
     }
-    let end = |index: usize| ScreenedStart { index, pose: coarse.rigid_part(&screened[index].1) };
-    Ok(Some(followed.into_iter().map(end).collect()))
+    let start = |index: usize| FollowedStart { index, pose: coarse.rigid_part(&screened[index].1) };
+    Ok(Some(followed.into_iter().map(start).collect()))
 }

@@ -7,15 +7,16 @@
 
 use super::base::{InitialMap, State};
 use super::displacement::FitContext;
+use super::fitted::rigid_part_of;
 use super::schedule::Schedule;
 use crate::error::MatchError;
 use crate::pair::assignment::{comparison_kernel, displaced, kernel, observed_means, precision_of_features};
 use crate::surface::smooth::{N_FEATURES, Subsample};
 use faer::Mat;
 use homolog_primitives::observe::checkpoint;
+use homolog_registration::RigidTransform;
 use homolog_registration::alignment::{AssignmentTarget, OrientedPoints, assign, misfit};
 use homolog_registration::deformation::fit_field;
-use homolog_registration::{RigidTransform, absolute_orientation_of};
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
@@ -60,7 +61,7 @@ impl<'a> CoarseStage<'a> {
     pub(crate) fn rigid_part(&self, state: &State) -> RigidTransform {
         let (pose, points) = (state.base.pose, &self.source.points);
         let moved = state.moved(points, &self.values);
-        absolute_orientation_of(points, &moved, Some(&self.source.counted), pose.is_reflection()).unwrap_or(pose)
+        rigid_part_of((points, &self.source.counted), &moved, &pose)
     }
 
     fn fit(&self, pose: &RigidTransform) -> Option<(f64, State)> {

@@ -101,9 +101,18 @@ impl FinalField {
     }
 }
 
-/// The rigid part of the map of the vertices of the source to `moved`, with the handedness of `pose`. It does not
-/// otherwise depend on `pose`, which is returned if the fit fails.
+/// The rigid part of the map of `points`, which stand for these areas, to `moved`, with the handedness of `pose`. It does
+/// not otherwise depend on `pose`, which is returned if the fit fails.
+pub(crate) fn rigid_part_of(
+    (points, areas): (&[Point3<f64>], &[f64]),
+    moved: &[Point3<f64>],
+    pose: &RigidTransform,
+) -> RigidTransform {
+    absolute_orientation_of(points, moved, Some(areas), pose.is_reflection()).unwrap_or(*pose)
+}
+
+/// [`rigid_part_of`] all vertices of the source.
 pub(crate) fn pose_of(displacement: &FitContext<'_>, moved: &[Point3<f64>], pose: &RigidTransform) -> RigidTransform {
     let SmoothSurface { mesh, areas, .. } = &*displacement.source;
-    absolute_orientation_of(mesh.vertices(), moved, Some(areas), pose.is_reflection()).unwrap_or(*pose)
+    rigid_part_of((mesh.vertices(), areas), moved, pose)
 }

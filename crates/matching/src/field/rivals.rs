@@ -89,7 +89,6 @@ fn unless_unlike(explained: ComparisonOutcome, is_alone: impl FnOnce() -> bool) 
 /// A start with its field after the coarse stage.
 pub(crate) struct Candidate {
     pub compared: ComparedPose,
-    pub pose: RigidTransform,
     pub state: State,
     /// Where it ends after the fine stage, if it was compared there.
     pub fit: Option<ComparedFit>,
@@ -150,8 +149,7 @@ pub(crate) fn compare_candidates(
 fn chosen_of(coarse: &CoarseStage<'_>, candidates: &mut [Candidate]) -> Result<usize, MatchError> {
     // A single start has no rival.
     let compared = if candidates.len() > 1 { &candidates[..] } else { &[] };
-    let coarsely: Vec<Unexplained> =
-        compared.par_iter().map(|c| unexplained_coarsely(coarse, &c.state, &c.pose)).collect();
+    let coarsely: Vec<Unexplained> = compared.par_iter().map(|c| unexplained_coarsely(coarse, &c.state)).collect();
     let mut chosen = 0;
     for k in 1..candidates.len() {
         let of_other_hand = candidates[k].compared.mirrored != candidates[0].compared.mirrored;
@@ -249,10 +247,10 @@ impl ComparedFit {
     }
 }
 
-/// Unexplained residual of a field over the rigid `pose`, at the scale at which the coarse stage ends.
-pub(crate) fn unexplained_coarsely(coarse: &CoarseStage<'_>, state: &State, pose: &RigidTransform) -> Unexplained {
+/// Unexplained residual of a field over a rigid pose, at the scale at which the coarse stage ends.
+pub(crate) fn unexplained_coarsely(coarse: &CoarseStage<'_>, state: &State) -> Unexplained {
     let points = state.moved(&coarse.source.points, &coarse.values);
-    let normals = coarse.source.normals.iter().map(|n| pose.rotation * n).collect();
+    let normals = coarse.source.normals.iter().map(|n| state.base.pose.rotation * n).collect();
     at_coarse_scale(coarse, &Placed { points, normals })
 }
 
@@ -281,7 +279,7 @@ fn unexplained_finely(coarse: &CoarseStage<'_>, candidate: &Candidate) -> Result
         fine,
         unexplained,
         at_coarse_scale: at_coarse_scale(coarse, &placed),
-        pose: pose_of(displacement, &moved, &candidate.pose),
+        pose: pose_of(displacement, &moved, &candidate.state.base.pose),
         moved,
         deformation: OnceLock::new(),
         alike: OnceLock::new(),

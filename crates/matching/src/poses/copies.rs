@@ -5,7 +5,7 @@ use homolog_registration::{IcpMetric, RigidTransform, SurfaceSide, TwoSidedOptio
 
 /// Robust standard deviation of residuals along the normals after a rigid alignment up to which surfaces are copies, in
 /// mean edge lengths of the target.
-const ONE_ANATOMY: f64 = 0.17;
+const MAX_COPY_RESIDUAL_EDGES: f64 = 0.17;
 /// Least share of the area of one surface whose closest points lie inside the rim of the other. Surfaces that only
 /// touch give no evidence.
 const LEAST_OVERLAP: f64 = 0.5;
@@ -43,6 +43,8 @@ pub(crate) fn align_shortly(
     let found = align_both_ways(source, target, start, &options, observer)?;
     Ok(Aligned {
         target_from_source: found.target_from_source,
-        copies: found.steps > 0 && found.residual_mm <= ONE_ANATOMY * edge_mm && found.overlap >= LEAST_OVERLAP,
+        copies: found.steps > 0
+            && found.residual_mm <= MAX_COPY_RESIDUAL_EDGES * edge_mm
+            && found.overlap >= LEAST_OVERLAP,
     })
 }

@@ -4,6 +4,9 @@
 Usage: taxa.py --binary homolog --data DIR --out DIR [--direct]. DIR/landmarked has molar/*.npz (V, F, L) and molar_taxa.csv. Specimens
 of the other side are mirrored; which side a tooth is of follows from its landmarks. Size is no part of shape. Writes OUT/taxa.md.
 
+Where a tooth was cut off is no part of its shape, so a band along the rim can be left out. Its width is chosen for each specimen by the
+other ones: the width with which most of them are right, as if this one were not there. The result of each width is written as well.
+
 Besides the distance over the area of the mean: over the areas of both specimens (continuous Procrustes distance; Al-Aifari,
 Daubechies, Lipman 2013); in units of the standard deviation of each mode (Mahalanobis distance of a study); and, with --direct, over maps
 between specimens in both directions, for the four nearest ones by the maps of each kind (254 matches)."""
@@ -30,6 +33,8 @@ arguments = arguments.parse_args()
 place, out = Path(arguments.data, "landmarked"), Path(arguments.out)
 FEWEST = 3
 """Specimens that a taxon needs to be told apart."""
+BANDS = (0, 0.05, 0.1, 0.15, 0.2)
+"""Widths of the band along the rim that may be left out, in square roots of the area of the mean."""
 
 
 def distances(shapes, weights):
@@ -45,6 +50,30 @@ def distances(shapes, weights):
 def shares(vertices, faces):
     areas = vertex_areas(vertices, faces)
     return areas / areas.sum()
+
+
+def beyond(width, vertices, faces):
+    """Shares of the vertices in the area that is at least this far from the rim, in square roots of the whole area."""
+    areas = vertex_areas(vertices, faces)
+    edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    edges, number = np.unique(edges, axis=0, return_counts=True)
+    rim = vertices[np.unique(edges[number == 1])]
+    from_rim = np.array([np.linalg.norm(rim - vertex, axis=1).min() for vertex in vertices])
+    areas = areas * (from_rim >= width * np.sqrt(areas.sum()))
+    return areas / areas.sum()
+
+
+def chosen_by_others(by_width, taxa):
+    """Distances with, in each row, the width with which most other specimens are right, of genera and families together; of equal
+    ones the narrowest. `by_width`: squared distances, the narrowest first; `taxa`: the names of each kind."""
+    found = by_width[0].copy()
+    for k in range(len(found)):
+        def right(distances):
+            without = distances.copy()
+            without[:, k] = np.inf
+            return sum(names[without[i].argmin()] == names[i] for names in taxa for i in asked(names) if i != k)
+        found[k] = max(by_width, key=right)[k]
+    return found
 
 
 def whitened(shapes, mean, weights):
@@ -117,7 +146,11 @@ by = {"landmarks of experts": distances(marks, lambda i, j: np.full(len(marks[0]
 for maps in ("pairs", "joint"):
     mean, faces, found = molars.study(arguments.binary, out / "study", "--without-size", "--correspondence", maps)
     weights, own = shares(mean, faces), [shares(shape, faces) for shape in found]
-    by[f"maps, {maps}"] = distances(found, lambda i, j: weights)
+    # The first band has no width.
+    by_width = [distances(found, lambda i, j: inner) for inner in (beyond(width, mean, faces) for width in BANDS)]
+    by[f"maps, {maps}"] = by_width[0]
+    by[f"maps, {maps}, without a band along the rim, its width chosen by the others"] = chosen_by_others(by_width, list(taxa.values()))
+    by |= {f"maps, {maps}, without a band of {width} roots of the area": each for width, each in zip(BANDS[1:], by_width[1:])}
     by[f"maps, {maps}, over the areas of both specimens"] = distances(found, lambda i, j: (own[i] + own[j]) / 2)
     by[f"maps, {maps}, in standard deviations"] = whitened(found, mean, weights)
     residuals = [float(row["residual_mm"]) for row in quality(out / "study", molars.names) if row["place"] == "model"]

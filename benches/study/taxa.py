@@ -52,27 +52,25 @@ def shares(vertices, faces):
     return areas / areas.sum()
 
 
-def beyond(width, vertices, faces):
-    """Shares of the vertices in the area that is at least this far from the rim, in square roots of the whole area."""
-    areas = vertex_areas(vertices, faces)
+def from_rim(vertices, faces):
+    """Distances of the vertices from the nearest vertex of the rim, in square roots of the area."""
     edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
     edges, number = np.unique(edges, axis=0, return_counts=True)
     rim = vertices[np.unique(edges[number == 1])]
-    from_rim = np.array([np.linalg.norm(rim - vertex, axis=1).min() for vertex in vertices])
-    areas = areas * (from_rim >= width * np.sqrt(areas.sum()))
-    return areas / areas.sum()
+    nearest = np.array([np.linalg.norm(rim - vertex, axis=1).min() for vertex in vertices])
+    return nearest / np.sqrt(vertex_areas(vertices, faces).sum())
 
 
 def chosen_by_others(by_width, taxa):
-    """Distances with, in each row, the width with which most other specimens are right, of genera and families together; of equal
+    """Distances with, in each row, the width with which fewest other specimens are wrong, of genera and families together; of equal
     ones the narrowest. `by_width`: squared distances, the narrowest first; `taxa`: the names of each kind."""
     found = by_width[0].copy()
     for k in range(len(found)):
-        def right(distances):
+        def errors(distances):
             without = distances.copy()
             without[:, k] = np.inf
-            return sum(names[without[i].argmin()] == names[i] for names in taxa for i in asked(names) if i != k)
-        found[k] = max(by_width, key=right)[k]
+            return sum(i != k for names in taxa for i, _ in wrong(without, names))
+        found[k] = min(by_width, key=errors)[k]
     return found
 
 
@@ -147,7 +145,9 @@ for maps in ("pairs", "joint"):
     mean, faces, found = molars.study(arguments.binary, out / "study", "--without-size", "--correspondence", maps)
     weights, own = shares(mean, faces), [shares(shape, faces) for shape in found]
     # The first band has no width.
-    by_width = [distances(found, lambda i, j: inner) for inner in (beyond(width, mean, faces) for width in BANDS)]
+    depth = from_rim(mean, faces)
+    inner = [weights * (depth >= width) for width in BANDS]
+    by_width = [distances(found, lambda i, j: each / each.sum()) for each in inner]
     by[f"maps, {maps}"] = by_width[0]
     by[f"maps, {maps}, without a band along the rim, its width chosen by the others"] = chosen_by_others(by_width, list(taxa.values()))
     by |= {f"maps, {maps}, without a band of {width} roots of the area": each for width, each in zip(BANDS[1:], by_width[1:])}
